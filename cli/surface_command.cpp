@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -21,6 +22,9 @@
 
 namespace tetfarm {
 namespace {
+
+/// More is told, with what helps.
+constexpr double notable_change_of_volume = 0.01;
 
 using Json = nlohmann::ordered_json;
 
@@ -87,6 +91,13 @@ void print_figures(const RemeshingFigures& f, const std::string& output) {
               f.from_input.distance, place_text(f.from_input.at).c_str(), f.to_input.distance,
               place_text(f.to_input.at).c_str());
   std::printf("volume          %.9g, before %.9g\n", f.volume, f.volume_before);
+  const double change = f.volume / f.volume_before - 1;
+  if (std::abs(change) > notable_change_of_volume) {
+    std::printf(
+        "                %.2g %% %s: thin and rounded parts keep more of their shape with a "
+        "smaller --tolerance\n",
+        100 * std::abs(change), change < 0 ? "less" : "more");
+  }
   std::printf("%s\n", output.c_str());
 }
 

@@ -97,7 +97,7 @@ bool move_to(RemeshingWork& work, std::int32_t v, const InputFoot& foot) {
   surface.try_at(v, foot.at);
   vertex.foot = foot.item;
   work.replacement.clear();
-  work.replacement.removed = surface.ring(v);
+  work.replacement.removed.assign(surface.ring(v).begin(), surface.ring(v).end());
   work.replacement.fills_hole = true;
   for (const std::int32_t t : surface.ring(v)) {
     work.replacement.made.push_back(surface.triangle(t));

@@ -1,8 +1,10 @@
 #include "mesh/remeshing/changing_surface.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/check.h"
+#include "mesh/geometry/hilbert_order.h"
 
 namespace tetfarm {
 namespace {
@@ -87,7 +89,7 @@ std::int32_t ChangingSurface::add_triangle(const FaceTriangle& triangle) {
     free_triangles_.pop_back();
     triangles_[static_cast<std::size_t>(t)] = triangle;
   }
-  for (const std::int32_t v : triangle.nodes) rings_[static_cast<std::size_t>(v)].push_back(t);
+  for (const std::int32_t v : triangle.nodes) rings_[static_cast<std::size_t>(v)].add(t);
   tree_.add(t, box(triangle.nodes));
   note_change(triangle.nodes);
   came_[static_cast<std::size_t>(t)] = now_;
@@ -98,7 +100,7 @@ std::int32_t ChangingSurface::add_triangle(const FaceTriangle& triangle) {
 void ChangingSurface::remove_triangle(std::int32_t t) {
   Triangle& nodes = triangles_[static_cast<std::size_t>(t)].nodes;
   TF_CHECK(nodes[0] >= 0);
-  for (const std::int32_t v : nodes) std::erase(rings_[static_cast<std::size_t>(v)], t);
+  for (const std::int32_t v : nodes) rings_[static_cast<std::size_t>(v)].remove(t);
   note_change(nodes);
   nodes = {-1, -1, -1};
   tree_.remove(t);
@@ -111,6 +113,58 @@ void ChangingSurface::settle(std::int32_t v) {
     tree_.move(t, box(triangle(t).nodes));
     note_change(triangle(t).nodes);
   }
+}
+
+void ChangingSurface::number_by_place() {
+  std::vector<Vec3> places;
+  std::vector<std::int32_t> used;
+  for (std::int32_t v = 0; v < vertex_end(); ++v) {
+    if (ring(v).empty()) continue;
+    used.push_back(v);
+    places.push_back(at(v));
+  }
+  std::vector<std::int32_t> order = hilbert_order(places);
+  for (std::int32_t& v : order) v = used[static_cast<std::size_t>(v)];
+  renumber_vertices(order);
+  std::vector<FaceTriangle> triangles;
+  triangles.reserve(static_cast<std::size_t>(triangle_count_));
+  for (const FaceTriangle& t : triangles_) {
+    if (t.nodes[0] >= 0) triangles.push_back(t);
+  }
+  const auto first_vertices = [](const FaceTriangle& t) {
+    Triangle nodes = t.nodes;
+    std::ranges::sort(nodes);
+    return std::pair(nodes, t.nodes);
+  };
+  std::ranges::sort(triangles, {}, first_vertices);
+  triangles_.clear();
+  came_.clear();
+  free_triangles_.clear();
+  triangle_count_ = 0;
+  tree_ = TriangleOctree(whole_);
+  for (const FaceTriangle& t : triangles) add_triangle(t);
+}
+
+/// @param order the old numbers in the new order, without those of vertices that are gone.
+void ChangingSurface::renumber_vertices(const std::vector<std::int32_t>& order) {
+  std::vector<std::int32_t> number(vertices_.size(), -1);
+  std::vector<Vec3> places;
+  std::vector<SurfaceVertex> vertices;
+  for (const std::int32_t v : order) {
+    number[static_cast<std::size_t>(v)] = static_cast<std::int32_t>(places.size());
+    places.push_back(at(v));
+    vertices.push_back(vertex(v));
+    vertices.back().settled = 0;
+  }
+  for (FaceTriangle& t : triangles_) {
+    if (t.nodes[0] < 0) continue;
+    for (std::int32_t& v : t.nodes) v = number[static_cast<std::size_t>(v)];
+  }
+  places_ = std::move(places);
+  vertices_ = std::move(vertices);
+  rings_.assign(vertices_.size(), {});
+  changed_.assign(vertices_.size(), 0);
+  free_vertices_.clear();
 }
 
 void ChangingSurface::note_change(const Triangle& nodes) {

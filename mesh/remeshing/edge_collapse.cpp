@@ -62,7 +62,7 @@ void make_ring(RemeshingWork& work, const Vertices& on, const Vertices& opposite
                std::int32_t kept) {
   const ChangingSurface& surface = work.surface;
   work.replacement.clear();
-  work.replacement.removed = surface.ring(gone);
+  work.replacement.removed.assign(surface.ring(gone).begin(), surface.ring(gone).end());
   work.replacement.fills_hole = surface.vertex(gone).kind == VertexKind::smooth;
   for (const std::int32_t t : work.replacement.removed) {
     if (std::ranges::find(on, t) != on.end()) continue;

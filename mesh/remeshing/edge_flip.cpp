@@ -84,19 +84,26 @@ std::int64_t flip_edges(RemeshingWork& work, FlipFor wanted) {
   // What no change came near is as it was when it was last looked at.
   const std::uint64_t then = wanted == FlipFor::shape ? work.flipped : 0;
   std::vector<Edge> waiting;
+  const auto may_flip = [&](const FaceTriangle& t, std::size_t k) {
+    return !is_feature_side(t, k) &&
+           surface.has_changed_since(then, t.nodes[k], t.nodes[(k + 1) % 3]);
+  };
+  for (std::int32_t i = 0; i < surface.triangle_end(); ++i) {
+    if (!surface.is_there(i)) continue;
+    const FaceTriangle& t = surface.triangle(i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The two triangles on an edge that is no feature have it in both directions.
+      const Edge edge{t.nodes[k], t.nodes[(k + 1) % 3]};
+      if (edge.first < edge.second && may_flip(t, k)) waiting.push_back(edge);
+    }
+  }
   const auto add_edges = [&](const FaceTriangle& t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t a = t.nodes[k];
       const std::int32_t b = t.nodes[(k + 1) % 3];
-      if (is_feature_side(t, k) || !surface.has_changed_since(then, a, b)) continue;
-      waiting.emplace_back(std::min(a, b), std::max(a, b));
+      if (may_flip(t, k)) waiting.emplace_back(std::min(a, b), std::max(a, b));
     }
   };
-  for (std::int32_t t = 0; t < surface.triangle_end(); ++t) {
-    if (surface.is_there(t)) add_edges(surface.triangle(t));
-  }
-  std::ranges::sort(waiting);
-  waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
   std::int64_t left = flips_a_triangle * surface.triangle_count();
   std::int64_t flips = 0;
   for (std::vector<Edge> now; !waiting.empty() && left > 0;) {

@@ -17,6 +17,7 @@
 #include "mesh/remeshing/edge_split.h"
 #include "mesh/remeshing/input_shape.h"
 #include "mesh/remeshing/local_tolerance.h"
+#include "mesh/remeshing/straying_triangles.h"
 #include "mesh/remeshing/surface_to_remesh.h"
 #include "mesh/remeshing/tangential_smoothing.h"
 
@@ -33,14 +34,17 @@ constexpr double good_shape = 0.6;
 constexpr double flat_shape = 0.05;
 /// Of the tolerance: between the points that are compared a triangle may lie farther off.
 constexpr double tolerance_at_samples = 0.5;
+/// Where some do all the same, less of it is left, and all is done again.
+constexpr double share_of_the_last = 0.5;
+constexpr int most_shares = 4;
 /// How often vertices of the input that were left behind are kept, and all is done again.
 constexpr int most_rounds = 4;
 constexpr int most_splitting_sweeps = 100;
-constexpr int turns = 6;
+/// More turns change much and better nothing.
+constexpr int turns = 4;
 /// At the end, the smallest angles are raised above 35 degrees where that can be.
 constexpr double cosine_wanted = 0.8192;
 constexpr int most_hunts = 10;
-constexpr int smoothings_a_turn = 2;
 
 bool collapse_either_way(RemeshingWork& work, const MeasuredEdge& edge) {
   const auto [a, b] = edge.ends;
@@ -141,28 +145,45 @@ RemeshedSurface result_of(const ChangingSurface& changed, const SurfaceMesh& inp
   return result;
 }
 
-RemeshedSurface remeshed(const SurfaceMesh& surface, const SurfaceFeatures& features,
-                         const InputShape& shape, const RemeshingSpacing& spacing,
-                         const RemeshOptions& options, bool is_strict) {
-  ChangingSurface changed = surface_to_remesh(surface, features, shape, spacing);
-  RemeshingWork work{changed, shape, spacing, tolerance_at_samples * options.tolerance, is_strict};
+void number_by_place(RemeshingWork& work) {
+  work.surface.number_by_place();
+  work.flipped = 0;
+  work.split = 0;
+}
+
+void remesh_in_turns(RemeshingWork& work) {
   flip_edges(work, FlipFor::shape);
   for (int turn = 0; turn < turns; ++turn) {
-    while (collapse_short_edges(work) > changed.triangle_count() / 100) {
+    while (collapse_short_edges(work) > work.surface.triangle_count() / 100) {
     }
     flip_edges(work, FlipFor::shape);
     split_until_short(work);
     if (turn + 1 < turns) flip_edges(work, FlipFor::valence);
-    for (int i = 0; i < smoothings_a_turn; ++i) smooth_vertices(work, good_shape);
+    smooth_vertices(work, good_shape);
     flip_edges(work, FlipFor::shape);
     smooth_vertices(work, good_shape);
     measure_spacings(work);
+    if (turn == 0) number_by_place(work);
   }
   for (int hunt = 0; hunt < most_hunts; ++hunt) {
     if (raise_angles(work, cosine_wanted) == 0) break;
     flip_edges(work, FlipFor::shape);
   }
-  return result_of(changed, surface, features);
+}
+
+RemeshedSurface remeshed(const SurfaceMesh& surface, const SurfaceFeatures& features,
+                         const InputShape& shape, const RemeshingSpacing& spacing,
+                         const RemeshOptions& options, bool is_strict) {
+  double share = tolerance_at_samples;
+  for (int tries = 1;; ++tries) {
+    ChangingSurface changed = surface_to_remesh(surface, features, shape, spacing);
+    RemeshingWork work{changed, shape, spacing, share * options.tolerance, is_strict};
+    remesh_in_turns(work);
+    if (tries == most_shares || straying_triangles(work, options.tolerance) == 0) {
+      return result_of(changed, surface, features);
+    }
+    share *= share_of_the_last;
+  }
 }
 
 bool has_crossings(const SurfaceMesh& surface) {

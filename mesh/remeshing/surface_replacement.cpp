@@ -167,7 +167,7 @@ double triangle_shape(const TrianglePoints& t) {
   return squares > 0 ? 2 * sqrt_3 * norm(cross(u, v)) / squares : 0;
 }
 
-double worst_shape(const ChangingSurface& surface, const std::vector<std::int32_t>& triangles) {
+double worst_shape(const ChangingSurface& surface, std::span<const std::int32_t> triangles) {
   double worst = 1;
   for (const std::int32_t t : triangles) {
     worst = std::min(worst, triangle_shape(surface.points(surface.triangle(t).nodes)));

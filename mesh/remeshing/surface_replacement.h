@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/remeshing/changing_surface.h"
@@ -50,7 +51,7 @@ double tolerance_at(const RemeshingWork& work, const SurfaceVertex& vertex);
 /// 4 sqrt(3) area / (sum of squared edges): 1 of an equilateral triangle, 0 of one without area.
 double triangle_shape(const TrianglePoints& t);
 /// The least of the triangles; 1 of none.
-double worst_shape(const ChangingSurface& surface, const std::vector<std::int32_t>& triangles);
+double worst_shape(const ChangingSurface& surface, std::span<const std::int32_t> triangles);
 double worst_shape(const ChangingSurface& surface, const std::vector<FaceTriangle>& triangles);
 
 /// Sum of the normals of the vertex's triangles in the face, each as long as twice its area.

@@ -11,7 +11,7 @@ namespace tetfarm {
 namespace {
 
 /// A vertex that would move less than this share of the spacing stays.
-constexpr double least_move = 0.01;
+constexpr double least_move = 0.02;
 
 Vec3 wanted_in_face(const RemeshingWork& work, std::int32_t v) {
   const ChangingSurface& surface = work.surface;
@@ -78,7 +78,7 @@ bool smooth_vertex(RemeshingWork& work, std::int32_t v, double least_shape) {
   surface.try_at(v, foot->at);
   vertex.foot = foot->item;
   work.replacement.clear();
-  work.replacement.removed = surface.ring(v);
+  work.replacement.removed.assign(surface.ring(v).begin(), surface.ring(v).end());
   work.replacement.fills_hole = vertex.kind == VertexKind::smooth;
   for (const std::int32_t t : surface.ring(v)) {
     work.replacement.made.push_back(surface.triangle(t));
