@@ -11,8 +11,9 @@
 
 namespace tetfarm {
 
-/// The number of triangles with one of three points half-way from the middle to the corners that is
-/// farther from the face's part of the input than its share of `tolerance`. Cost: O(n log n).
+/// The number of triangles of which one of 25 points evenly spread, corners and those of
+/// feature edges apart, is farther from the face's part of the input than its share of `tolerance`.
+/// Cost: O(n log n).
 std::int64_t straying_triangles(const RemeshingWork& work, double tolerance);
 
 }  // namespace tetfarm
