@@ -560,6 +560,12 @@ class Parser {
                     "0)")
         ->check(CLI::Range(-most_priority, most_priority))
         ->option_text("N");
+    submit
+        .add_option("--after", submit_.after,
+                    "Job that has to be done before this one begins, job-7 (default: none); may be "
+                    "repeated")
+        ->allow_extra_args(false)
+        ->option_text("JOB");
     add_progress(submit, submit_.client.progress);
     add_client(submit, submit_.client, StoreOption::yes);
 

@@ -291,6 +291,7 @@ struct SubmitCommand {
   bool check = true;               ///< of the surface, before it is submitted
   bool coordinator_reads = false;  ///< the surface, by its path
   int priority = 0;
+  std::vector<std::string> after;  ///< jobs that have to be done before
 };
 
 struct CoordinatorCommand {
@@ -305,8 +306,11 @@ struct CoordinatorCommand {
   std::int64_t lease_ms = 10000;
   double task_limit_s = 3600;
   double first_task_limit_s = 86400;
-  std::string http_address;  ///< "": none
-  std::string http_token;    ///< a file
+  std::string http_address;       ///< "": none
+  std::string http_token;         ///< a file
+  std::string on_job_end;         ///< a program that is told of it; "": none
+  double keep_days = 0;           ///< of jobs that have ended, with their files; 0: for ever
+  std::size_t jobs_per_user = 0;  ///< that may run and wait at once; 0: any number
   bool insecure = false;
   bool one_job = false;  ///< of `run`: a submission may replace the jobs before it
   bool quiet = false;

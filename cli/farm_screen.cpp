@@ -22,6 +22,12 @@ bool still_runs(const wire::JobStatus& job) {
   return job.state() == "running" || job.state() == "stuck";
 }
 
+/// Those that run come first, then those that wait for others.
+int place_among_jobs(const wire::JobStatus& job) {
+  if (still_runs(job)) return 0;
+  return job.state() == "waiting" ? 1 : 2;
+}
+
 std::string head_of(const SeenFarm& seen) {
   std::uint64_t waiting = 0;
   std::uint64_t running = 0;
@@ -110,7 +116,7 @@ std::string FarmScreen::text(const SeenFarm& seen, std::int64_t now_ms) {
   std::reverse(jobs.begin(), jobs.end());
   std::stable_sort(jobs.begin(), jobs.end(),
                    [](const wire::JobStatus* a, const wire::JobStatus* b) {
-                     return still_runs(*a) > still_runs(*b);
+                     return place_among_jobs(*a) < place_among_jobs(*b);
                    });
   std::vector<std::vector<std::string>> rows;
   for (const wire::JobStatus* job : jobs) rows.push_back(row_of(*job, now_ms));

@@ -51,7 +51,11 @@ bool has_ended(const wire::JobStatus& status) {
 
 ExitCode report_outcome(const wire::JobStatus& status, const OutcomeOptions& options) {
   TF_CHECK(has_ended(status));
-  if (status.state() == "cancelled") throw Error(ExitCode::failed, "the job was cancelled");
+  if (status.state() == "cancelled") {
+    throw Error(ExitCode::failed,
+                "the job was cancelled" +
+                    (status.message().empty() ? "" : ": " + printable(status.message())));
+  }
   if (status.state() == "failed") {
     std::string message = printable(status.message());
     for (const std::filesystem::path& file : options.files) {

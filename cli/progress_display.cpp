@@ -57,6 +57,11 @@ std::string clock_text(double seconds) {
 }
 
 std::string progress_text(const wire::JobStatus& status, double tets_per_second, bool says_rate) {
+  if (status.waits_for_size() > 0) {
+    std::string jobs;
+    for (const std::string& job : status.waits_for()) jobs += (jobs.empty() ? "" : ", ") + job;
+    return "waits for " + printable(jobs);
+  }
   std::string text = format("%-10s", printable(status.stage()).c_str());
   if (status.leaves_made() > 0) {
     text += format(" %u/%u sub-domains", status.leaves_meshed(), status.leaves_made());

@@ -14,6 +14,7 @@
 #include "base/counted.h"
 #include "base/error_with_help.h"
 #include "base/file_system.h"
+#include "cli/awaited_jobs.h"
 #include "cli/bring_file.h"
 #include "cli/commands.h"
 #include "cli/converted_meshes.h"
@@ -156,6 +157,27 @@ std::string option_of_surfaces(const SubmitCommand& command) {
   return {};
 }
 
+/// Before anything is sent: the jobs that this one shall wait for.
+void expect_jobs_before(const SubmitCommand& command, CoordinatorConnection& connection) {
+  const std::int64_t timeout_ms = in_ms(command.client.timeout_s);
+  for (const std::string& wanted : command.after) {
+    if (connection.status(wanted, timeout_ms).jobs_size() > 0) continue;
+    std::vector<NamedJob> known;
+    const wire::StatusReply all = connection.status("", timeout_ms);
+    for (const wire::JobStatus& job : all.jobs()) known.push_back({job.job(), job.name()});
+    const std::string problem = problem_with_awaited(wanted, known);
+    if (problem.empty()) continue;  // it has just come
+    throw ErrorWithHelp(ExitCode::not_found, "--after: " + problem,
+                        "`tetfarm jobs` lists those of " + command.client.endpoint);
+  }
+}
+
+/// When its tasks are handed out.
+void set_order(const SubmitCommand& command, wire::Submit& submit) {
+  submit.set_priority(command.priority);
+  for (const std::string& job : command.after) submit.add_after(job);
+}
+
 ExitCode submit_loop(const SubmitCommand& command) {
   const ClientOptions& client = command.client;
   if (const std::string option = option_of_surfaces(command); !option.empty()) {
@@ -165,8 +187,9 @@ ExitCode submit_loop(const SubmitCommand& command) {
   }
   const LoopInput input = read_loop(command.job.input);
   CoordinatorConnection connection = connect(client, command.job.store);
+  expect_jobs_before(command, connection);
   wire::Submit submit = submission_of_loop(input, way_to_coordinator(command, connection));
-  submit.set_priority(command.priority);
+  set_order(command, submit);
   return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client);
 }
 
@@ -178,8 +201,9 @@ ExitCode submit_command(const SubmitCommand& command) {
   const JobInput input = job_to_submit(command);
   tell_wave(input.job, client.progress);
   CoordinatorConnection connection = connect(client, command.job.store);
+  expect_jobs_before(command, connection);
   wire::Submit submit = bring_job(command, input, connection);
-  submit.set_priority(command.priority);
+  set_order(command, submit);
   return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client);
 }
 
@@ -237,7 +261,7 @@ ExitCode priority_command(const PriorityCommand& command) {
   if (!answer.found()) {
     throw Error(ExitCode::not_found, "no job " + client.job + " at " + client.endpoint);
   }
-  if (answer.state() != "running") {
+  if (answer.state() != "running" && answer.state() != "waiting") {
     throw ErrorWithHelp(
         ExitCode::failed,
         client.job + " is already " + answer.state() + ": none of its tasks wait for workers", "");

@@ -472,6 +472,12 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
   }
   submission.owner = sender.key;
   submission.priority = message.priority();
+  for (const std::string& name : message.after()) {
+    submission.after.push_back(parse_job_name(name));
+    if (submission.after.back()) continue;
+    return refuse(connection, "`" + name + "` is no job to wait for: jobs are called job-7",
+                  ExitCode::usage);
+  }
   const SubmitAnswer submitted = state.submit(submission, now);
   if (submitted.differs) {
     return refuse(connection,
@@ -479,10 +485,27 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
                       ", which has a different job file or surface: give it a key of its own",
                   ExitCode::usage);
   }
+  if (submitted.unmet) return refuse_unmet(connection, submitted.unmet, state);
   wire::Envelope reply;
   reply.mutable_submitted()->set_job(job_name(submitted.job));
   reply.mutable_submitted()->set_existed(submitted.existed);
   answer(connection, std::move(reply));
+}
+
+/// The job waits for another one that will not end well, as things are.
+void RequestHandler::refuse_unmet(const std::string& connection, JobId unmet,
+                                  const JobState& state) {
+  const auto found = state.durable().jobs.find(unmet);
+  if (found == state.durable().jobs.end()) {
+    return refuse(connection, "there is no " + job_name(unmet) + " to wait for",
+                  ExitCode::not_found);
+  }
+  const JobRow& job = found->second;
+  refuse(connection,
+         "it would wait for " + job_words(job) + ", which " +
+             (job.phase == JobPhase::failed ? "has failed" : "was cancelled") +
+             ": `tetfarm retry " + job_name(unmet) + "` first",
+         ExitCode::failed);
 }
 
 void RequestHandler::set_priority(const std::string& connection, const wire::SetPriority& message,
@@ -500,6 +523,9 @@ void RequestHandler::set_priority(const std::string& connection, const wire::Set
 
 void RequestHandler::retry(const std::string& connection, const wire::Retry& message,
                            JobState& state, Moment now) {
+  if (const JobId unmet = state.unmet_by(parse_job_name(message.job()))) {
+    return refuse_unmet(connection, unmet, state);
+  }
   wire::Envelope reply;
   reply.mutable_retried()->set_count(
       message.job().empty()

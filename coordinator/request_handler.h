@@ -130,6 +130,7 @@ class RequestHandler {
   void submit(const Sender& sender, const wire::Submit& message, JobState& state, Moment now);
   Submission submission_of(const wire::Submit& message) const;
   void add_loop(const wire::Submit& message, Submission& submission) const;
+  void refuse_unmet(const std::string& connection, JobId unmet, const JobState& state);
   void set_priority(const std::string& connection, const wire::SetPriority& message,
                     JobState& state, Moment now);
   void retry(const std::string& connection, const wire::Retry& message, JobState& state,

@@ -19,6 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+template <class Names>
+Json names_json(const Names& names) {
+  Json json = Json::array();
+  for (const auto& name : names) json.push_back(name);
+  return json;
+}
+
 /// The figures that assembly reports under names that begin with `whose`; null when there are none.
 Json shapes_json(const wire::JobStatus& status, const std::string& whose) {
   if (!status.numbers().contains(whose + "elements")) return nullptr;
@@ -221,6 +228,8 @@ std::string status_json(const wire::JobStatus& status) {
                      {"state", status.state()},
                      {"stage", status.stage()},
                      {"priority", status.priority()},
+                     {"after", names_json(status.after())},
+                     {"waits_for", names_json(status.waits_for())},
                      {"subdomains", status.leaves_made()},
                      {"subdomains_meshed", status.leaves_meshed()},
                      {"subdomains_mended", status.leaves_mended()},
@@ -254,6 +263,8 @@ std::string job_json(const wire::JobStatus& job) {
                     {"state", job.state()},
                     {"stage", job.stage()},
                     {"priority", job.priority()},
+                    {"after", names_json(job.after())},
+                    {"waits_for", names_json(job.waits_for())},
                     {"subdomains", job.leaves_made()},
                     {"subdomains_meshed", job.leaves_meshed()},
                     {"elements", job.elements()},

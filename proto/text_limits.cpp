@@ -42,13 +42,14 @@ constexpr std::array<TextLimit, 19> texts = {{
     {"Submit.surface_path", 4096},  // PATH_MAX
 }};
 
-constexpr std::array<CountLimit, 6> counts = {{
+constexpr std::array<CountLimit, 7> counts = {{
     {"Done.outputs", most_files},
     {"Done.numbers", 1 << 16},  // several for each region
     {"Done.texts", 1 << 16},
     {"Failed.evidence", 100},
     {"Failed.damaged_inputs", most_files},
     {"Submit.inputs", 100},
+    {"Submit.after", 100},
 }};
 
 /// "Hello.host"; of the entries of a map "Done.texts" and "Done.texts.key".

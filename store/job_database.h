@@ -17,7 +17,7 @@
 namespace tetfarm {
 
 /// The schema that this program writes; older databases are brought up to it when they are opened.
-inline constexpr int database_version = 9;
+inline constexpr int database_version = 10;
 
 /// How much history is kept: the newest so many.
 struct HistoryBounds {

@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <array>
+#include <sstream>
 #include <utility>
 
 #include "base/check.h"
@@ -23,8 +24,8 @@ Enum value_of(const std::string& name, const std::array<Enum, count>& all) {
 }
 
 JobPhase phase_of(const std::string& name) {
-  return value_of(
-      name, std::array{JobPhase::running, JobPhase::done, JobPhase::failed, JobPhase::cancelled});
+  return value_of(name, std::array{JobPhase::running, JobPhase::done, JobPhase::failed,
+                                   JobPhase::cancelled, JobPhase::waiting});
 }
 TaskState task_state_of(const std::string& name) {
   return value_of(name, std::array{TaskState::waiting, TaskState::ready, TaskState::leased,
@@ -35,10 +36,19 @@ SubdomainState subdomain_state_of(const std::string& name) {
                                    SubdomainState::joined});
 }
 
+/// "3 5", as row_writer.cpp writes them.
+std::vector<JobId> job_ids(const std::string& text) {
+  std::vector<JobId> ids;
+  std::istringstream words(text);
+  for (std::uint64_t id = 0; words >> id;) ids.push_back(JobId{id});
+  if (!words.eof()) throw CorruptFile("'" + text + "' are no jobs", "database");
+  return ids;
+}
+
 void load_jobs(sqlite3* database, const std::string& which, DurableState& state) {
   const std::string sql =
       "SELECT id, coalesce(key, ''), name, job_toml, phase, exit_code, message, "
-      "created_ms, finished_ms, owner, content, priority FROM jobs" +
+      "created_ms, finished_ms, owner, content, priority, waits_for, end_untold FROM jobs" +
       which;
   Statement rows(database, sql.c_str());
   while (rows.step()) {
@@ -55,6 +65,8 @@ void load_jobs(sqlite3* database, const std::string& which, DurableState& state)
     job.owner = rows.text();
     job.content = rows.text();
     job.priority = static_cast<int>(rows.integer());
+    job.after = job_ids(rows.text());
+    job.end_untold = rows.integer() != 0;
     state.jobs.emplace(job.id, std::move(job));
   }
 }
@@ -78,8 +90,8 @@ Part part_of(const std::string& jobs) { return {jobs, ids_of_tasks(jobs)}; }
 /// A job that has ended may still have an attempt for a moment.
 Part unfinished_part() {
   return part_of(
-      "SELECT id FROM jobs WHERE phase = 'running' UNION SELECT tasks.job FROM attempts "
-      "JOIN tasks ON tasks.id = attempts.task WHERE attempts.state = 'running'");
+      "SELECT id FROM jobs WHERE phase IN ('running', 'waiting') UNION SELECT tasks.job FROM "
+      "attempts JOIN tasks ON tasks.id = attempts.task WHERE attempts.state = 'running'");
 }
 
 void load_subdomains(sqlite3* database, const Part& part, DurableState& state) {
@@ -174,6 +186,14 @@ std::uint64_t highest(sqlite3* database, const char* sql) {
   return row.unsigned_integer();
 }
 
+/// The highest id that a row of the kind ever had: of those that were removed a floor is left.
+std::uint64_t highest_given(sqlite3* database, const std::string& kind) {
+  const std::string sql = "SELECT max((SELECT coalesce(max(id), 0) FROM " + kind +
+                          "s), (SELECT coalesce(max(value), 0) FROM floors WHERE name = '" + kind +
+                          "'))";
+  return highest(database, sql.c_str());
+}
+
 }  // namespace
 
 TaskKind task_kind_of(const std::string& name) {
@@ -226,11 +246,9 @@ DurableState read_state(sqlite3* database, JobsToRead jobs) {
     state.running_attempts.emplace(attempt.id, std::move(attempt));
   }
   load_hosts(database, state);
-  state.last_task = highest(database, "SELECT coalesce(max(id), 0) FROM tasks");
-  state.last_attempt = highest(database,
-                               "SELECT max((SELECT coalesce(max(id), 0) FROM attempts), "
-                               "(SELECT coalesce(max(value), 0) FROM floors WHERE "
-                               "name = 'attempt'))");
+  state.last_task = highest_given(database, "task");
+  state.last_attempt = highest_given(database, "attempt");
+  state.last_job = highest_given(database, "job");
   state.last_worker = highest(database, "SELECT coalesce(max(id), 0) FROM workers");
   return state;
 }

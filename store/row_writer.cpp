@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include "base/check.h"
+#include "store/row_reader.h"
 #include "store/sqlite_statement.h"
 
 namespace tetfarm {
@@ -11,11 +12,12 @@ namespace {
 using Files = std::vector<ArtifactRef>;
 
 constexpr const char* put_job =
-    "INSERT INTO jobs VALUES (?, nullif(?, ''), ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+    "INSERT INTO jobs VALUES (?, nullif(?, ''), ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
     "ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
     "job_toml = excluded.job_toml, phase = excluded.phase, "
     "exit_code = excluded.exit_code, message = excluded.message, "
-    "finished_ms = excluded.finished_ms, priority = excluded.priority";
+    "finished_ms = excluded.finished_ms, priority = excluded.priority, "
+    "end_untold = excluded.end_untold";
 constexpr const char* put_artifact = "INSERT INTO artifacts VALUES (?, ?) ON CONFLICT DO NOTHING";
 constexpr const char* put_subdomain =
     "INSERT INTO subdomains VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
@@ -61,6 +63,12 @@ constexpr const char* put_host =
     "since_ms = excluded.since_ms, reason = excluded.reason";
 constexpr const char* insert_event = "INSERT INTO events VALUES (NULL, ?, ?, ?, ?, ?, ?, ?)";
 
+std::string ids_text(const std::vector<JobId>& jobs) {
+  std::string words;
+  for (const JobId job : jobs) words += (words.empty() ? "" : " ") + std::to_string(job.value);
+  return words;
+}
+
 }  // namespace
 
 RowWriter::RowWriter(sqlite3* database)
@@ -91,6 +99,7 @@ void RowWriter::write(const ChangeSet& changes) {
   for (const AttemptRow& attempt : changes.attempts) write(attempt);
   for (const HostRow& host : changes.hosts) write(host);
   for (const EventRow& event : changes.events) write(event);
+  for (const JobId job : changes.removed_jobs) remove(job);
 }
 
 void RowWriter::write(const JobRow& job) {
@@ -98,7 +107,7 @@ void RowWriter::write(const JobRow& job) {
   job_.bind(job.id.value).bind(job.key).bind(job.name).bind(job.job_toml);
   job_.bind(name_of(job.phase)).bind(job.exit_code).bind(job.message);
   job_.bind(job.created_ms).bind(job.finished_ms).bind(job.owner).bind(job.content);
-  job_.bind(job.priority).run();
+  job_.bind(job.priority).bind(ids_text(job.after)).bind(job.end_untold ? 1 : 0).run();
 }
 
 void RowWriter::write(const SubdomainRow& row) {
@@ -192,6 +201,29 @@ void RowWriter::write(const EventRow& event) {
   event_.bind(event.wall_ms).bind(event.job.value).bind(event.task.value);
   event_.bind(event.attempt.value).bind(event.worker.value).bind(event.what);
   event_.bind(event.message).run();
+}
+
+/// What points to a row goes before it. Rare, so nothing is prepared for it.
+void RowWriter::remove(JobId job) {
+  TF_CHECK(job);
+  for (const std::string& kind :
+       {std::string("attempt"), std::string("task"), std::string("job")}) {
+    const std::string floor = "INSERT INTO floors SELECT '" + kind +
+                              "', coalesce(max(id), 0) FROM " + kind +
+                              "s WHERE true ON CONFLICT (name) DO UPDATE SET value = max(value, "
+                              "excluded.value)";
+    execute(database_, floor.c_str());
+  }
+  const std::string tasks = "(" + ids_of_tasks("?1") + ")";
+  for (const std::string& rows :
+       {"attempt_logs WHERE attempt IN (SELECT id FROM attempts WHERE task IN " + tasks + ")",
+        "attempts WHERE task IN " + tasks, "task_inputs WHERE task IN " + tasks,
+        "task_outputs WHERE task IN " + tasks, "task_values WHERE task IN " + tasks,
+        std::string("subdomains WHERE job = ?1"), "tasks WHERE id IN " + tasks,
+        std::string("jobs WHERE id = ?1")}) {
+    Statement removal(database_, ("DELETE FROM " + rows).c_str());
+    removal.bind(job.value).run();
+  }
 }
 
 }  // namespace tetfarm

@@ -31,6 +31,7 @@ class RowWriter {
   void write(const AttemptRow& attempt);
   void write(const HostRow& host);
   void write(const EventRow& event);
+  void remove(JobId job);
   void write_files(Statement& statement, TaskId task, const std::vector<ArtifactRef>& files);
   void write_texts(TaskId task, const char* sort, const std::map<std::string, std::string>& texts);
   void forget_old_result(const TaskRow& task);

@@ -2,6 +2,8 @@
 
 namespace tetfarm {
 
+bool is_end(JobPhase phase) { return phase != JobPhase::running && phase != JobPhase::waiting; }
+
 const char* name_of(JobPhase phase) {
   switch (phase) {
     case JobPhase::running:
@@ -12,6 +14,8 @@ const char* name_of(JobPhase phase) {
       return "failed";
     case JobPhase::cancelled:
       return "cancelled";
+    case JobPhase::waiting:
+      return "waiting";
   }
   return "?";
 }

@@ -17,7 +17,8 @@
 
 namespace tetfarm {
 
-enum class JobPhase { running, done, failed, cancelled };
+/// waiting: for other jobs; see JobRow::after.
+enum class JobPhase { running, done, failed, cancelled, waiting };
 /// waiting: an input has to be made again; replaced: its leaf, or another of the job, was cut
 /// further, and it is no part of the job any more; the rest as in
 /// coordinator/decisions/task_states.dot.
@@ -64,6 +65,9 @@ struct JobRow {
   std::string owner = {};  ///< the submitter's public key, "": a plain connection; `key` is its own
   std::string content = {};  ///< "NAME HASH" of each input of its inspection, a line each
   int priority = 0;          ///< tasks of jobs with a higher one are handed out first
+  /// Jobs that have to be done before it begins, by rising id, all below its own.
+  std::vector<JobId> after = {};
+  bool end_untold = false;  ///< it has ended, and the administrator's program was not told yet
 
   friend bool operator==(const JobRow&, const JobRow&) = default;
 };
@@ -177,9 +181,10 @@ struct DurableState {
   std::uint64_t last_task = 0;  ///< the highest id ever given out
   std::uint64_t last_attempt = 0;
   std::uint64_t last_worker = 0;
+  std::uint64_t last_job = 0;
 };
 
-/// Rows to insert or replace, in one transaction.
+/// Rows to insert, replace or remove, in one transaction.
 struct ChangeSet {
   std::vector<JobRow> jobs;
   std::vector<SubdomainRow> subdomains;
@@ -188,12 +193,17 @@ struct ChangeSet {
   std::vector<AttemptRow> attempts;
   std::vector<HostRow> hosts;
   std::vector<EventRow> events;
+  /// Forgotten with all their rows but events. Of a job nothing else changes then.
+  std::vector<JobId> removed_jobs = {};
 
   bool empty() const {
     return jobs.empty() && subdomains.empty() && tasks.empty() && workers.empty() &&
-           attempts.empty() && hosts.empty() && events.empty();
+           attempts.empty() && hosts.empty() && events.empty() && removed_jobs.empty();
   }
 };
+
+/// Whether nothing more comes of it by itself.
+bool is_end(JobPhase phase);
 
 const char* name_of(JobPhase phase);
 const char* name_of(TaskState state);

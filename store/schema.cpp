@@ -277,9 +277,23 @@ constexpr const char* priorities = R"sql(
 ALTER TABLE jobs ADD COLUMN priority INTEGER NOT NULL DEFAULT 0;
 )sql";
 
+/// Jobs wait for others, and are removed with age: ids of what was removed are never given out
+/// again.
+constexpr const char* dependencies = R"sql(
+ALTER TABLE jobs ADD COLUMN waits_for TEXT NOT NULL DEFAULT '';
+ALTER TABLE jobs ADD COLUMN end_untold INTEGER NOT NULL DEFAULT 0;
+CREATE TABLE new_floors (
+  name TEXT PRIMARY KEY,
+  value INTEGER NOT NULL CHECK (value >= 0)
+) STRICT, WITHOUT ROWID;
+INSERT INTO new_floors SELECT * FROM floors;
+DROP TABLE floors;
+ALTER TABLE new_floors RENAME TO floors;
+)sql";
+
 constexpr std::array<const char*, database_version> migrations = {
     first_schema,   any_kind_of_task, joined_subdomains, quarantine, history,
-    replaced_tasks, tasks_of_one_job, who_it_belongs_to, priorities};
+    replaced_tasks, tasks_of_one_job, who_it_belongs_to, priorities, dependencies};
 
 std::int64_t pragma(sqlite3* database, const char* sql) {
   Statement statement(database, sql);

@@ -32,7 +32,7 @@ class StoreCheck {
     for (const auto& [id, task] : state_.tasks) {
       if (task.state == TaskState::replaced) continue;
       const JobPhase phase = state_.jobs.at(task.job).phase;
-      const bool is_to_run = phase == JobPhase::running && task.state != TaskState::done;
+      const bool is_to_run = !is_end(phase) && task.state != TaskState::done;
       const bool has_results = phase == JobPhase::done && traits_of(task.kind).ends_job;
       if (is_to_run) need(task.job, task.inputs);
       if (has_results) need(task.job, task.outputs);

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "coordinator/decisions/assimilation_graph.h"
 #include "coordinator/decisions/job_state.h"
+#include "coordinator/decisions/job_status.h"
 #include "coordinator/decisions/layer_graph.h"
 #include "coordinator/decisions/loop_graph.h"
 #include "coordinator/decisions/task_rows.h"
@@ -313,19 +314,22 @@ SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   const auto known =
       submission.key.empty() ? keys_.end() : keys_.find({submission.owner, submission.key});
   if (known != keys_.end() && durable_.jobs.at(known->second).content != content) {
-    return {known->second, true, true};
+    return {known->second, true, true, {}};
+  }
+  if (known == keys_.end()) {
+    if (const JobId unmet = unmet_of(submission.after)) return {{}, false, false, unmet};
   }
   if (submission.replaces_others) cancel_others(submission, now);
   if (known != keys_.end()) {
-    if (has_results(known->second)) return {known->second, true};
+    if (has_results(known->second)) return {known->second, true, false, {}};
     bring_back(known->second);
     JobRow& job = edit(known->second);
     if (job.phase == JobPhase::failed || job.phase == JobPhase::cancelled) resume(job, now);
     if (job.phase == JobPhase::done) remake_results(job, now);
-    return {known->second, true};
+    return {known->second, true, false, {}};
   }
   JobRow job;
-  job.id = JobId{durable_.jobs.empty() ? 1 : durable_.jobs.rbegin()->first.value + 1};
+  job.id = JobId{++durable_.last_job};
   job.key = submission.key;
   job.name = submission.name;
   job.job_toml = submission.job_toml;
@@ -333,19 +337,26 @@ SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   job.owner = submission.owner;
   job.content = content;
   job.priority = submission.priority;
+  const std::set<JobId> after(submission.after.begin(), submission.after.end());
+  job.after.assign(after.begin(), after.end());
+  job.phase = phase_to_go_on(job);
   changes_.note(job.id);
   if (!job.key.empty()) keys_[{job.owner, job.key}] = job.id;
   durable_.jobs.emplace(job.id, job);
   changes_.add({now.wall_ms, job.id, {}, {}, {}, "submitted", job.name});
+  if (job.phase == JobPhase::waiting) {
+    waiting_jobs_.insert(job.id);
+    changes_.add({now.wall_ms, job.id, {}, {}, {}, "waits", waiting_words(durable_, job)});
+  }
   first.job = job.id;
   add_task(std::move(first), now);
-  return {job.id, false};
+  return {job.id, false, false, {}};
 }
 
 void JobState::cancel_others(const Submission& submission, Moment now) {
   for (const auto& [id, job] : durable_.jobs) {
     const bool is_same = job.key == submission.key && job.owner == submission.owner;
-    if (job.phase == JobPhase::running && !is_same) cancel(id, now);
+    if (!is_end(job.phase) && !is_same) cancel(id, now);
   }
 }
 
@@ -354,7 +365,7 @@ bool JobState::set_priority(JobId id, int priority, Moment now) {
   const auto found = durable_.jobs.find(id);
   if (found == durable_.jobs.end()) return false;
   const bool is_news = found->second.priority != priority;
-  if (found->second.phase != JobPhase::running || !is_news) return true;
+  if (is_end(found->second.phase) || !is_news) return true;
   lists_.move(durable_.tasks, edit(id), priority);
   changes_.add({now.wall_ms, id, {}, {}, {}, "priority", std::to_string(priority)});
   return true;
@@ -363,7 +374,7 @@ bool JobState::set_priority(JobId id, int priority, Moment now) {
 bool JobState::cancel(JobId id, Moment now) {
   const auto found = durable_.jobs.find(id);
   if (found == durable_.jobs.end()) return false;
-  if (found->second.phase != JobPhase::running) return true;
+  if (is_end(found->second.phase)) return true;
   set_phase(edit(id), JobPhase::cancelled, now);
   changes_.add({now.wall_ms, id, {}, {}, {}, "cancelled", ""});
   for (const TaskId task : lists_.tasks_of(id)) {

@@ -54,7 +54,7 @@ std::vector<DurableState> JobState::take_finished() {
   TF_CHECK(changes_.has_no_job_rows());
   std::set<JobId> over;
   for (const JobId job : at_hand_) {
-    if (durable_.jobs.at(job).phase != JobPhase::running) over.insert(job);
+    if (is_end(durable_.jobs.at(job).phase)) over.insert(job);
   }
   if (over.empty()) return taken;
   for (const auto& [id, attempt] : durable_.running_attempts) {

@@ -1,5 +1,7 @@
 /// JobState, the part that looks for broken invariants, by their numbers in job_state.h; each part
 /// of the state looks for its own.
+#include <algorithm>
+
 #include "coordinator/decisions/job_state.h"
 
 namespace tetfarm {
@@ -36,8 +38,27 @@ void JobState::find_broken_attempts(Complaints& broken) const {
   }
 }
 
+/// 8 and 9.
+void JobState::find_broken_waiting(Complaints& broken) const {
+  for (const auto& [id, job] : durable_.jobs) {
+    const bool waits = job.phase == JobPhase::waiting;
+    const bool is_ordered = std::is_sorted(job.after.begin(), job.after.end()) &&
+                            (job.after.empty() || job.after.back() < id);
+    if (waits != waiting_jobs_.contains(id)) {
+      broken.push_back(job_name(id) + ": wrongly listed as waiting, or not");
+    }
+    if (job.end_untold != untold_ends_.contains(id)) {
+      broken.push_back(job_name(id) + ": wrongly listed as untold, or not");
+    }
+    if (!is_ordered || (waits && job.after.empty())) {
+      broken.push_back(job_name(id) + ": waits for what it must not, or nothing");
+    }
+  }
+}
+
 std::vector<std::string> JobState::validate() const {
   Complaints broken;
+  find_broken_waiting(broken);
   find_broken_tasks(broken);
   find_broken_attempts(broken);
   for (const Complaints& part :

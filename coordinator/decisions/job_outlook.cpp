@@ -6,6 +6,7 @@
 #include "base/counted.h"
 #include "base/mebibytes.h"
 #include "coordinator/decisions/job_state.h"
+#include "coordinator/decisions/job_status.h"
 
 namespace tetfarm {
 namespace {
@@ -116,6 +117,7 @@ std::string JobState::why_not(const TaskRow& task, Moment now) const {
   const JobRow& job = durable_.jobs.at(task.job);
   if (task.state == TaskState::failed) return "in quarantine: " + task.message;
   if (task.state == TaskState::replaced) return "no longer part of the job: " + task.message;
+  if (job.phase == JobPhase::waiting) return "its job " + waiting_words(durable_, job);
   if (job.phase != JobPhase::running) return std::string("its job is ") + name_of(job.phase);
   if (const std::int64_t wait_ms = disk_pause_.wait_ms(now.steady_ms); wait_ms > 0) {
     return "no room on the disk (" + disk_pause_.message() + "); next try in " +

@@ -157,8 +157,9 @@ void JobState::forgive(TaskId id) {
 void JobState::resume(JobRow& job, Moment now) {
   job.exit_code = 0;
   job.message.clear();
-  set_phase(job, JobPhase::running, now);
+  set_phase(job, phase_to_go_on(job), now);
   changes_.add({now.wall_ms, job.id, {}, {}, {}, "resumed", ""});
+  some_job_ended_ = true;  // what it waits for may have ended long ago
   for (const TaskId id : lists_.tasks_of(job.id)) {
     const TaskState state = durable_.tasks.at(id).state;
     if (state == TaskState::failed || state == TaskState::ready) forgive(id);
@@ -179,7 +180,7 @@ std::size_t JobState::retry(JobId id, TaskId task, Moment now) {
   JobRow& job = edit(id);
   job.exit_code = 0;
   job.message.clear();
-  set_phase(job, JobPhase::running, now);
+  set_phase(job, phase_to_go_on(job), now);
   forgive(task);
   record(now, durable_.tasks.at(task), {}, {}, "retried");
   wake_waiting(id, now);

@@ -21,6 +21,9 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
   expectation_ = finished_->expectation();
   for (const auto& [id, job] : durable_.jobs) {
     if (!job.key.empty()) keys_[{job.owner, job.key}] = id;
+    if (job.phase == JobPhase::waiting) waiting_jobs_.insert(id);
+    if (job.end_untold) untold_ends_.insert(id);
+    durable_.last_job = std::max(durable_.last_job, id.value);
   }
   for (const auto& [key, subdomain] : durable_.subdomains) progress_.add(subdomain);
   for (const auto& [id, task] : durable_.tasks) {
@@ -63,8 +66,36 @@ void JobState::set_state(TaskRow& task, TaskState state) {
 void JobState::set_phase(JobRow& job, JobPhase phase, Moment now) {
   changes_.note(job.id);
   job.phase = phase;
-  job.finished_ms = phase == JobPhase::running ? 0 : now.wall_ms;
+  job.finished_ms = is_end(phase) ? now.wall_ms : 0;
+  if (is_end(phase)) some_job_ended_ = true;
+  set_untold(job, is_end(phase) && rules_.tells_ends);
+  if (phase == JobPhase::waiting) {
+    waiting_jobs_.insert(job.id);
+  } else {
+    waiting_jobs_.erase(job.id);
+  }
   for (const TaskId task : lists_.tasks_of(job.id)) index(durable_.tasks.at(task));
+}
+
+/// @pre the row is noted as changed.
+void JobState::set_untold(JobRow& job, bool is_untold) {
+  job.end_untold = is_untold;
+  if (is_untold) {
+    untold_ends_.insert(job.id);
+  } else {
+    untold_ends_.erase(job.id);
+  }
+}
+
+void JobState::end_was_told(JobId id, std::int64_t finished_ms, const std::string& trouble,
+                            Moment now) {
+  const auto found = durable_.jobs.find(id);
+  const bool is_that_end = found != durable_.jobs.end() && found->second.end_untold &&
+                           found->second.finished_ms == finished_ms;
+  if (!is_that_end) return;
+  set_untold(edit(id), false);
+  changes_.add(
+      {now.wall_ms, id, {}, {}, {}, trouble.empty() ? "end told" : "end not told", trouble});
 }
 
 void JobState::put(const SubdomainRow& subdomain) {
@@ -85,7 +116,8 @@ void JobState::add_task(TaskRow task, Moment now) {
   at_hand_.insert(task.job);
   lists_.place(task);
   changes_.note(task.id);
-  const bool served = is_served(task);
+  const bool is_waiting = durable_.jobs.at(task.job).phase == JobPhase::waiting;
+  const bool served = !is_waiting && is_served(task);
   const TaskRow& added = durable_.tasks.emplace(task.id, std::move(task)).first->second;
   index(added);
   record(now, added, {}, {}, served ? "served" : "ready",

@@ -24,6 +24,8 @@
 ///  5. A host in quarantine gets no tasks.
 ///  6. A place in the graph has one task; those that were replaced there are never run again.
 ///  7. What is known of the work of an attempt is forgotten with it.
+///  8. A job waits for jobs of lower ids, and is listed as waiting exactly when it does.
+///  9. An end is listed as untold exactly when its row says so.
 /// Units: times in milliseconds.
 #pragma once
 
@@ -92,6 +94,7 @@ struct FarmRules {
   std::int64_t least_late_ms = 10'000;
   /// Which jobs keep all files between their tasks; without it all do.
   KeepsAllFiles keeps_all_files = {};
+  bool tells_ends = false;  ///< somebody is to be told of each job's end; see untold_ends()
 };
 
 struct WorkerInfo {
@@ -130,12 +133,15 @@ struct Submission {
   std::uint64_t loop_memory_bytes = 0;  ///< that its solver asks for; 0: it does not say
   bool remeshes = false;                ///< the surface, before it is inspected
   int priority = 0;                     ///< as of a JobRow; of a job that is there it stays
+  std::vector<JobId> after = {};        ///< likewise, in any order
 };
 
 struct SubmitAnswer {
   JobId job;
   bool existed = false;
   bool differs = false;  ///< the job of that key has other contents: nothing was done
+  /// Of those to wait for one that is unknown, or has failed or was cancelled: nothing was done.
+  JobId unmet = {};
 };
 
 /// A worker that is here.
@@ -208,6 +214,9 @@ class JobState {
   /// Takes a task out of quarantine, or (task 0) all of the job; it goes on. How many were taken
   /// out; 0 when there is no such job or task in quarantine.
   std::size_t retry(JobId job, TaskId task, Moment now);
+  /// The job for which this one cannot go on: it waits for that, and that has failed or was
+  /// cancelled. 0: there is none, or no such job.
+  JobId unmet_by(JobId job) const;
   /// False when the host is not in quarantine.
   bool release_host(const std::string& host, Moment now);
   /// The worker, or (0) every one that is here, gets no more tasks and is told to leave. How many.
@@ -235,6 +244,12 @@ class JobState {
   /// Jobs that have ended and of which nothing runs, each with its rows, which are forgotten here.
   /// None without a FinishedJobs that takes them. @pre all changes are taken, and committed.
   std::vector<DurableState> take_finished();
+
+  /// Jobs whose end nobody was told yet, durable once the changes are that were taken.
+  const std::set<JobId>& untold_ends() const { return untold_ends_; }
+  /// It was told, or given up with `trouble`. Nothing happens where the job has gone on meanwhile.
+  /// @param finished_ms as of its row then
+  void end_was_told(JobId job, std::int64_t finished_ms, const std::string& trouble, Moment now);
 
   /// Jobs all; tasks and sub-domains of those that are not finished.
   const DurableState& durable() const { return durable_; }
@@ -271,12 +286,14 @@ class JobState {
   // job_invariants.cpp
   void find_broken_tasks(Complaints& broken) const;
   void find_broken_attempts(Complaints& broken) const;
+  void find_broken_waiting(Complaints& broken) const;
 
   // job_state.cpp: rows and indexes
   TaskRow& edit(TaskId task);
   JobRow& edit(JobId job);
   void set_state(TaskRow& task, TaskState state);
   void set_phase(JobRow& job, JobPhase phase, Moment now);
+  void set_untold(JobRow& job, bool is_untold);
   void put(const SubdomainRow& subdomain);
   void take_in(const TaskRow& task);
   void bring_back(JobId job);
@@ -317,6 +334,13 @@ class JobState {
   std::string why_not(const TaskRow& task, Moment now) const;
   std::vector<std::string> reasons_to_wait(const TaskRow& task, Moment now) const;
   std::vector<std::string> obstacles(const TaskRow& task, Moment now) const;
+
+  // job_dependencies.cpp: jobs that wait for others
+  JobId unmet_of(const std::vector<JobId>& after) const;
+  JobPhase phase_to_go_on(const JobRow& job) const;
+  void settle_waiting_jobs(Moment now);
+  void begin(JobRow& job, Moment now);
+  void end_with(JobRow& job, const JobRow& other, Moment now);
 
   // job_races.cpp: time and room
   std::int64_t limit_ms(const TaskRow& task) const;
@@ -399,7 +423,10 @@ class JobState {
   HasFile has_file_;
   const FinishedJobs* finished_;
 
-  std::set<JobId> at_hand_;  ///< whose tasks and sub-domains are in durable_
+  std::set<JobId> at_hand_;       ///< whose tasks and sub-domains are in durable_
+  std::set<JobId> waiting_jobs_;  ///< for others
+  bool some_job_ended_ = true;    ///< since those were looked at
+  std::set<JobId> untold_ends_;   ///< as their rows say
   std::int64_t next_end_ms_ = std::numeric_limits<std::int64_t>::min();  ///< see end_leases
   /// After a restart workers come back one by one: until then the largest may be missing.
   std::int64_t all_back_ms_ = std::numeric_limits<std::int64_t>::min();

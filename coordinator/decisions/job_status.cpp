@@ -214,6 +214,29 @@ TaskKind end_after(TaskKind kind) {
 
 }  // namespace
 
+std::vector<JobId> waits_for(const DurableState& durable, const JobRow& job) {
+  std::vector<JobId> waiting;
+  for (const JobId id : job.after) {
+    const auto found = durable.jobs.find(id);
+    if (found != durable.jobs.end() && found->second.phase != JobPhase::done) waiting.push_back(id);
+  }
+  return waiting;
+}
+
+std::string job_words(const JobRow& job) { return job_name(job.id) + " (" + job.name + ")"; }
+
+std::string waiting_words(const DurableState& durable, const JobRow& job) {
+  constexpr std::size_t most_told = 5;
+  const std::vector<JobId> waiting = waits_for(durable, job);
+  std::string words = "waits for ";
+  for (std::size_t i = 0; i < std::min(most_told, waiting.size()); ++i) {
+    const JobRow& other = durable.jobs.at(waiting[i]);
+    words += (i > 0 ? "; " : "") + job_words(other) + ", which is " + name_of(other.phase);
+  }
+  if (waiting.size() <= most_told) return words;
+  return words + "; and " + std::to_string(waiting.size() - most_told) + " more";
+}
+
 TasksOfJobs tasks_of_jobs(const DurableState& durable) {
   TasksOfJobs tasks;
   for (const auto& [id, task] : durable.tasks) tasks[task.job].push_back(&task);
@@ -239,11 +262,16 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
   summary.message = job.message;
   summary.created_ms = job.created_ms;
   summary.priority = job.priority;
+  summary.after = job.after;
   summary.finished_ms = job.finished_ms;
   summary.exit_code = job.exit_code;
   if (job.phase == JobPhase::running && !stuck_message.empty()) {
     summary.state = "stuck";
     summary.message = stuck_message;
+  }
+  if (job.phase == JobPhase::waiting) {
+    summary.waits_for = waits_for(durable, job);
+    summary.message = waiting_words(durable, job);
   }
   const std::int64_t end_ms = job.finished_ms != 0 ? job.finished_ms : now_wall_ms;
   summary.seconds = static_cast<double>(end_ms - job.created_ms) / 1000;

@@ -13,7 +13,7 @@ namespace tetfarm {
 struct JobSummary {
   JobId job;
   std::string name;
-  std::string state;  ///< running, done, failed, cancelled, stuck
+  std::string state;  ///< waiting, running, done, failed, cancelled, stuck
   std::string stage;  ///< the first kind of task that is not finished; assemble when all are
   std::uint32_t leaves_made = 0;
   std::uint32_t leaves_meshed = 0;
@@ -39,7 +39,19 @@ struct JobSummary {
   std::int64_t created_ms = 0;
   std::int64_t finished_ms = 0;  ///< 0: it has not ended
   int priority = 0;
+  std::vector<JobId> after = {};      ///< as of a JobRow
+  std::vector<JobId> waits_for = {};  ///< those of them that are not done, of a waiting job
 };
+
+/// Of the jobs after which it begins those that are not done. One that is not there any more has
+/// been removed with age (JobState::remove_old_jobs), and nobody waits for it.
+std::vector<JobId> waits_for(const DurableState& durable, const JobRow& job);
+
+/// "job-3 (wing)"
+std::string job_words(const JobRow& job);
+
+/// "waits for job-3 (wing), which is running"; of several the first few.
+std::string waiting_words(const DurableState& durable, const JobRow& job);
 
 /// The tasks of each job, by rising id.
 using TasksOfJobs = std::map<JobId, std::vector<const TaskRow*>>;

@@ -117,8 +117,10 @@ void JobState::end_leases(Moment now) {
 
 void JobState::tick(Moment now) {
   end_leases(now);
+  settle_waiting_jobs(now);
   if (disk_pause_.wait_ms(now.steady_ms) == 0) hand_out(now);
   end_hopeless_jobs(now);
+  settle_waiting_jobs(now);
 }
 
 std::size_t JobState::drain(WorkerId worker) {

@@ -165,6 +165,8 @@ wire::JobStatus status_message(const JobSummary& summary) {
   message.set_seconds(summary.seconds);
   message.set_created_ms(summary.created_ms);
   message.set_priority(summary.priority);
+  for (const JobId job : summary.after) message.add_after(job_name(job));
+  for (const JobId job : summary.waits_for) message.add_waits_for(job_name(job));
   message.set_finished_ms(summary.finished_ms);
   return message;
 }

@@ -67,8 +67,8 @@ void add_rows(std::string& text, const JobState& state) {
   Family(text, "tetfarm_task_peak_rss_bytes", "gauge", "Peak memory of the largest task.")
       .add("", bytes);
   std::map<std::string, double> jobs;
-  for (const JobPhase phase :
-       {JobPhase::running, JobPhase::done, JobPhase::failed, JobPhase::cancelled}) {
+  for (const JobPhase phase : {JobPhase::waiting, JobPhase::running, JobPhase::done,
+                               JobPhase::failed, JobPhase::cancelled}) {
     jobs[name_of(phase)] = 0;
   }
   for (const auto& [id, job] : rows.jobs) ++jobs[name_of(job.phase)];

@@ -433,6 +433,10 @@ TEST_F(CommandOptions, of_those_that_act_on_a_farm) {
   EXPECT_EQ(wait.client.progress, ProgressStyle::plain);
   EXPECT_EQ(wait.client.timeout_s, 0.5);
   EXPECT_TRUE(wait.client.json);
+  const auto submit = parsed_as<SubmitCommand>(
+      {"submit", "--after", "job-3", "a.stl", "--after", "job-5", "--connect", "tcp://h:1"});
+  EXPECT_EQ(submit.after, (std::vector<std::string>{"job-3", "job-5"}));
+  EXPECT_EQ(submit.job.input, "a.stl");
   const auto cancel = parsed_as<CancelCommand>({"cancel", "job-7", "--connect", "tcp://h:1"});
   EXPECT_EQ(cancel.client.job, "job-7");
   EXPECT_EQ(cancel.client.endpoint, "tcp://h:1");
@@ -555,6 +559,7 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
       {farm({"cancel"}), "JOB is required"},
       {farm({"priority", "job-7"}), "N is required"},
       {farm({"priority", "job-7", "1001"}), "N: Value 1001 not in range -1000 to 1000"},
+      {farm({"submit", "a.stl", "--after"}), "--after: 1 required JOB missing"},
       {farm({"submit", "a.stl", "--priority", "-1001"}),
        "--priority: Value -1001 not in range -1000 to 1000"},
       {{"retry", "job-7"}, "--connect is required"},

@@ -31,6 +31,7 @@ class DurableRecord {
       if (host.is_quarantined) state_.quarantined_hosts[host.host] = host;
     }
     events_.insert(events_.end(), changes.events.begin(), changes.events.end());
+    for (const JobId job : changes.removed_jobs) remove(job);
   }
 
   const DurableState& state() const { return state_; }
@@ -39,7 +40,7 @@ class DurableRecord {
   DurableState unfinished() const {
     std::set<JobId> jobs;
     for (const auto& [id, job] : state_.jobs) {
-      if (job.phase == JobPhase::running) jobs.insert(id);
+      if (!is_end(job.phase)) jobs.insert(id);
     }
     for (const auto& [id, attempt] : state_.running_attempts) {
       jobs.insert(state_.tasks.at(attempt.task).job);
@@ -69,6 +70,17 @@ class DurableRecord {
   const std::vector<EventRow>& events() const { return events_; }
 
  private:
+  void remove(JobId job) {
+    state_.last_job = std::max(state_.last_job, job.value);
+    state_.jobs.erase(job);
+    std::erase_if(attempts_, [&](const auto& attempt) {
+      return state_.tasks.at(attempt.second.task).job == job;
+    });
+    std::erase_if(state_.tasks, [&](const auto& task) { return task.second.job == job; });
+    std::erase_if(state_.subdomains, [&](const auto& node) { return node.first.first == job; });
+    std::erase_if(places_, [&](const auto& place) { return std::get<0>(place.first) == job; });
+  }
+
   void put(const TaskRow& task) {
     const auto old = state_.tasks.find(task.id);
     if (old != state_.tasks.end()) {

@@ -221,6 +221,30 @@ TEST_F(Conversation, submissions_are_refused_with_what_is_wrong) {
   EXPECT_EQ(state_.durable().jobs.size(), 1U);
 }
 
+TEST_F(Conversation, a_job_waits_only_for_those_that_may_end_well) {
+  say(submission("first"));
+  const auto after = [this](const std::string& job) {
+    wire::Envelope envelope = submission("after " + job);
+    envelope.mutable_submit()->add_after(job);
+    return say(envelope);
+  };
+  EXPECT_THAT(after("job-1"), ElementsAre("line later: submitted { job: \"job-2\" }"));
+  EXPECT_EQ(state_.durable().jobs.at(JobId{2}).phase, JobPhase::waiting);
+  EXPECT_THAT(after("wing"),
+              ElementsAre("line now: refused { reason: \"`wing` is no job to wait for: jobs are "
+                          "called job-7\" exit_code: 2 }"));
+  EXPECT_THAT(after("job-9"), ElementsAre("line now: refused { reason: \"there is no job-9 to wait "
+                                          "for\" exit_code: 5 }"));
+  say(cancel("job-1"));
+  state_.tick(now_);
+  EXPECT_EQ(state_.durable().jobs.at(JobId{2}).phase, JobPhase::cancelled);
+  EXPECT_THAT(after("job-1"), ElementsAre(HasSubstr("which was cancelled: `tetfarm retry job-1`")));
+  wire::Envelope retry;
+  retry.mutable_retry()->set_job("job-2");
+  EXPECT_THAT(say(retry), ElementsAre(HasSubstr("which was cancelled: `tetfarm retry job-1`")));
+  EXPECT_EQ(state_.durable().jobs.size(), 2U);
+}
+
 TEST_F(Conversation, a_run_may_replace_its_jobs) {
   RequestHandler handler{store_, roots_, options(true), refusals_};
   say(submission("first"));

@@ -242,6 +242,9 @@ wire::JobStatus running_job() {
   job.set_name("wing");
   job.set_state("running");
   job.set_stage("mesh");
+  job.add_after("job-3");
+  job.add_after("job-5");
+  job.add_waits_for("job-5");
   job.set_leaves_made(1);
   job.set_leaves_meshed(2);
   job.set_leaves_mended(3);
@@ -277,6 +280,7 @@ TEST(JobJson, of_a_job_that_runs_has_each_count_under_its_name) {
   EXPECT_EQ(
       status_json(running_job()),
       R"({"type":"job","job":"job-7","name":"wing","state":"running","stage":"mesh","priority":0,)"
+      R"("after":["job-3","job-5"],"waits_for":["job-5"],)"
       R"("subdomains":1,"subdomains_meshed":2,"subdomains_mended":3,"elements":4,)"
       R"("estimated_elements":5.0,"expected_task_bytes":17.0,"expected_disk_bytes":18.0,)"
       R"("expected_cpu_seconds":19.0,"tasks_done":6,"tasks_ready":7,"tasks_running":8,)"
@@ -287,6 +291,7 @@ TEST(JobJson, of_a_job_that_runs_has_each_count_under_its_name) {
   EXPECT_EQ(
       job_json(running_job()),
       R"({"type":"job","job":"job-7","name":"wing","state":"running","stage":"mesh","priority":0,)"
+      R"("after":["job-3","job-5"],"waits_for":["job-5"],)"
       R"("subdomains":1,"subdomains_meshed":2,"elements":4,"estimated_elements":5.0,)"
       R"("tasks_done":6,"tasks_ready":7,"tasks_running":8,"tasks_in_quarantine":1,)"
       R"("created_ms":15,"finished_ms":16,"seconds":14.0,"message":"why","exit_code":6})");

@@ -139,7 +139,8 @@ TEST(TextLimits, are_those_that_both_sides_reckon_with) {
             "Done.texts 65536\n"
             "Failed.evidence 100\n"
             "Failed.damaged_inputs 65536\n"
-            "Submit.inputs 100\n");
+            "Submit.inputs 100\n"
+            "Submit.after 100\n");
 }
 
 TEST(TextLimits, let_everything_be_as_large_as_it_may) {

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "base/error.h"
@@ -27,8 +28,8 @@ std::string some_hash(char digit) { return std::string(32, digit); }
 
 ChangeSet some_changes() {
   ChangeSet changes;
-  JobRow job{JobId{1}, "key", "wing", "toml = 1", JobPhase::running, 0,
-             "",       5,     0,      "owner",    "job 1",           -7};
+  JobRow job{JobId{1}, "key",   "wing", "toml = 1", JobPhase::running, 0, "", 5, 0,
+             "owner",  "job 1", -7,     {}};
   TaskRow task;
   task.id = TaskId{3};
   task.job = JobId{1};
@@ -355,6 +356,40 @@ TEST(JobDatabase, of_jobs_that_have_ended_and_of_which_nothing_runs_only_their_o
   EXPECT_EQ(part.tasks, tasks);
   EXPECT_THAT(part.subdomains, SizeIs(3));
   EXPECT_FALSE(part.subdomains.contains({JobId{12}, 1}));
+}
+
+TEST(JobDatabase, of_jobs_that_wait_for_others_all_is_read) {
+  const TempFolder folder;
+  JobDatabase database(folder.path() / "db");
+  ChangeSet changes = three_jobs();
+  JobRow& waiting = changes.jobs.at(2);
+  waiting.phase = JobPhase::waiting;
+  waiting.after = {JobId{1}, JobId{11}};
+  waiting.end_untold = true;
+  database.apply(changes);
+  const DurableState part = database.load_unfinished();
+  EXPECT_EQ(part.jobs.at(waiting.id), waiting);
+  EXPECT_TRUE(std::any_of(part.tasks.begin(), part.tasks.end(),
+                          [&](const auto& task) { return task.second.job == waiting.id; }));
+}
+
+TEST(JobDatabase, a_job_is_removed_with_all_its_rows_and_ids_are_not_given_out_again) {
+  const TempFolder folder;
+  JobDatabase database(folder.path() / "db");
+  ChangeSet changes = three_jobs();
+  database.apply(changes);
+  const DurableState before = database.load();
+  ChangeSet removal;
+  removal.removed_jobs = {JobId{12}, JobId{13}};
+  database.apply(removal);
+  const DurableState after = database.load();
+  EXPECT_THAT(after.jobs, SizeIs(before.jobs.size() - 2));
+  for (const auto& [id, task] : after.tasks) EXPECT_LT(task.job, JobId{12});
+  for (const auto& [key, node] : after.subdomains) EXPECT_LT(key.first, JobId{12});
+  EXPECT_EQ(after.last_task, before.last_task);
+  EXPECT_EQ(after.last_attempt, before.last_attempt);
+  EXPECT_EQ(after.last_job, before.last_job);
+  EXPECT_THAT(database.damage(), IsEmpty());
 }
 
 TEST(JobDatabase, one_job_and_one_task_are_read_alone_with_all_that_belongs_to_them) {

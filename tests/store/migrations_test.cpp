@@ -88,7 +88,7 @@ TEST_P(Migrations, that_fail_midway_leave_the_file_as_it_was) {
   // One of them makes an index of this name, and the last a column of that.
   execute(open_database(path(), DatabaseAccess::write).get(),
           GetParam() < 8 ? "CREATE TABLE one_job_of_a_key (x)"
-                         : "ALTER TABLE jobs ADD COLUMN priority INTEGER");
+                         : "ALTER TABLE jobs ADD COLUMN waits_for TEXT");
   const std::string before = schema_of(path());
   EXPECT_THROW(JobDatabase{path()}, IoError);
   EXPECT_EQ(schema_of(path()), before);

@@ -221,6 +221,7 @@ tetfarm_jobs{state="cancelled"} 0
 tetfarm_jobs{state="done"} 0
 tetfarm_jobs{state="failed"} 1
 tetfarm_jobs{state="running"} 1
+tetfarm_jobs{state="waiting"} 0
 tetfarm_hosts_in_quarantine 1
 tetfarm_workers{state="busy"} 1
 tetfarm_workers{state="drains"} 1

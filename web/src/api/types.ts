@@ -34,6 +34,8 @@ export interface JobLine {
   name: string;
   state: string;
   stage: string;
+  after?: string[];
+  waits_for?: string[];
   share?: number;
   subdomains: number;
   subdomains_meshed: number;

@@ -35,6 +35,7 @@ const attemptLooks: Record<string, Look> = {
 };
 
 const jobLooks: Record<string, Look> = {
+  waiting: look('waiting', '·', 'quiet'),
   running: look('running', '▶', 'active'),
   done: look('done', '✓', 'good'),
   failed: look('failed', '✕', 'bad'),
@@ -68,5 +69,5 @@ export function isLostAttempt(state: string): boolean {
 
 /** Whether a job may still change by itself. */
 export function isJobLive(state: string): boolean {
-  return state === 'running' || state === 'stuck';
+  return state === 'running' || state === 'stuck' || state === 'waiting';
 }

@@ -217,7 +217,7 @@ export function JobHead({ job, acts, onChange }: HeadProps) {
       </div>
       <Progress job={job} />
       {job.message && (
-        <div class={`callout ${job.state === 'done' ? 'quiet' : 'bad'}`}>
+        <div class={`callout ${job.state === 'done' || job.state === 'waiting' ? 'quiet' : 'bad'}`}>
           <div><Said text={job.message} /></div>
         </div>
       )}

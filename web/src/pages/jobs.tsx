@@ -15,7 +15,7 @@ import { Bar, Empty, Figure, Figures, Name, State, Trouble, Waiting } from '../u
 const mostEtas = 10;
 
 function FarmFigures({ farm, jobs }: { farm: Farm | undefined; jobs: readonly JobLine[] }) {
-  const running = jobs.filter((job) => isJobLive(job.state));
+  const running = jobs.filter((job) => isJobLive(job.state) && job.state !== 'waiting');
   const sum = (of: (job: JobLine) => number) => running.reduce((total, job) => total + of(job), 0);
   const inQuarantine = jobs.reduce((total, job) => total + (job.tasks_in_quarantine ?? 0), 0);
   return (
@@ -63,6 +63,11 @@ function Row({ job, eta, nowMs }: { job: JobLine; eta: number | undefined; nowMs
       </th>
       <td>
         <State thing="job" state={job.state} />
+        {(job.waits_for ?? []).length > 0 && (
+          <small>
+            for <Name text={job.waits_for!.join(', ')} longest={60} />
+          </small>
+        )}
       </td>
       <td class="extra">{isLive ? <Name text={job.stage} longest={30} /> : <span class="faint">{dash}</span>}</td>
       <td>
