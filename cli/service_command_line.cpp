@@ -64,6 +64,10 @@ void add_who_may_come(CLI::App& sub, CoordinatorCommand& coordinator) {
   sub.add_option("--http-token", coordinator.http_token,
                  "File with the token that HTTP asks for; required where other hosts can connect")
       ->option_text("FILE");
+  sub.add_option("--on-job-end", coordinator.on_job_end,
+                 "Program that is started whenever a job has ended, with what there is to know in "
+                 "TETFARM_JOB and other variables (default: none)")
+      ->option_text("FILE");
   sub.add_flag("--one-job", coordinator.one_job)->group("");
   sub.add_flag("-q,--quiet", coordinator.quiet, "Print only warnings");
 }

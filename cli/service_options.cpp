@@ -22,6 +22,7 @@ CoordinatorOptions coordinator_options(const CoordinatorCommand& command) {
   options.one_job = command.one_job;
   options.http_address = command.http_address;
   options.http_token = command.http_token;
+  options.on_job_end = command.on_job_end;
   options.log_to_stderr = !command.quiet;
   options.on_http = [is_quiet = command.quiet](const std::string& address) {
     if (!is_quiet) std::printf("status page on http://%s/\n", address.c_str());

@@ -23,6 +23,7 @@
 #include "coordinator/decisions/job_state.h"
 #include "coordinator/file_thread.h"
 #include "coordinator/guarded_database.h"
+#include "coordinator/job_end_program.h"
 #include "coordinator/kept_files.h"
 #include "coordinator/log_lines.h"
 #include "coordinator/removal_thread.h"
@@ -140,10 +141,12 @@ class Server {
     rules_.unknown_limit_ms = options.first_task_limit_ms;
     rules_.program = program_identity();
     rules_.keeps_all_files = keeps_all_of_row;
+    rules_.tells_ends = !options.on_job_end.empty();
     allow_open_files(2 * options.max_connections);
     restore();
     sweep_up();
     bind();
+    if (rules_.tells_ends) watch_ends();
   }
 
   void run() {
@@ -179,6 +182,24 @@ class Server {
     drop_uploads_but(running, store_);
     sweep_leftovers(store_, running, untouchable_since_ms(state_->durable()));
     handler_.remember_surfaces(begun_surfaces(store_), now());
+  }
+
+  void watch_ends() {
+    ends_ = std::make_unique<JobEndProgram>(
+        JobEndOptions{.program = checked_job_end_program(options_.on_job_end),
+                      .store = std::filesystem::absolute(options_.store),
+                      .endpoint = endpoints_.front(),
+                      .limit_ms = options_.job_end_limit_ms});
+  }
+
+  /// Of those that were told, before the commit.
+  void note_told_ends() {
+    if (!ends_) return;
+    for (const ToldEnd& told : ends_->take_told()) {
+      if (!told.trouble.empty()) log_.error("{}", told.trouble);
+      state_->end_was_told(told.job, told.finished_ms, told.trouble, now());
+    }
+    for (const std::string& line : ends_->take_troubles()) log_.warn("{}", line);
   }
 
   /// While tasks are handed out, a file that many of them read is looked for once. One that
@@ -262,6 +283,7 @@ class Server {
     if (database_.is_closed()) return turn_while_closed();
     watch_space();
     for (const std::string& hash : std::exchange(spared_files_, {})) state_->consider_file(hash);
+    note_told_ends();
     seen_files_.emplace();
     state_->tick(now());
     seen_files_.reset();
@@ -411,6 +433,8 @@ class Server {
     write_log(changes);
     for (FileOrder& order : handler_.orders_after(changes)) files_.give(std::move(order));
     for (const DurableState& job : state_->take_finished()) finished_.put(job);
+    if (!ends_) return;
+    for (const JobId id : state_->untold_ends()) ends_->give(state_->durable().jobs.at(id));
   }
 
   void write_log(const ChangeSet& changes) {
@@ -465,6 +489,7 @@ class Server {
   StatusServer status_;
   ServiceManager service_;
   std::unique_ptr<JobState> state_;
+  std::unique_ptr<JobEndProgram> ends_;  ///< none where nobody is to be told
   std::vector<std::string> endpoints_;
   mutable std::optional<std::set<std::pair<std::string, std::uint64_t>>> seen_files_;
   mutable std::vector<std::string> spared_files_;  ///< that were to be removed, and were asked for

@@ -18,7 +18,9 @@ TEST_F(ServiceCommandLine, a_coordinator_of_a_store_has_defaults_for_all_else) {
       parsed_as<CoordinatorCommand>({"coordinator", "--store", "s", "--listen", "tcp://h:1"});
   EXPECT_EQ(command.store, "s");
   EXPECT_THAT(command.endpoints, ElementsAre("tcp://h:1"));
-  EXPECT_EQ(command.database + command.keys + command.http_address + command.http_token, "");
+  EXPECT_EQ(command.database + command.keys + command.http_address + command.http_token +
+                command.on_job_end,
+            "");
   EXPECT_TRUE(command.allowed_roots.empty());
   EXPECT_EQ(command.max_connections, 16'384U);
   EXPECT_EQ(command.max_workers, 10'000U);
@@ -61,6 +63,8 @@ TEST_F(ServiceCommandLine, a_coordinator_takes_each_of_its_options) {
                                                       "127.0.0.1:8080",
                                                       "--http-token",
                                                       "token",
+                                                      "--on-job-end",
+                                                      "/etc/told",
                                                       "--quiet"});
   EXPECT_THAT(command.endpoints, ElementsAre("tcp://h:1", "ipc://x"));
   EXPECT_EQ(command.database, "d");
@@ -74,6 +78,7 @@ TEST_F(ServiceCommandLine, a_coordinator_takes_each_of_its_options) {
   EXPECT_EQ(command.first_task_limit_s, 2.5);
   EXPECT_EQ(command.http_address, "127.0.0.1:8080");
   EXPECT_EQ(command.http_token, "token");
+  EXPECT_EQ(command.on_job_end, "/etc/told");
   EXPECT_TRUE(command.quiet);
   EXPECT_FALSE(command.insecure || command.one_job);
   const std::vector<std::string> least = {"coordinator", "--store", "s", "--listen", "tcp://h:1"};

@@ -100,6 +100,41 @@ TEST_F(JobStateTest, a_submission_has_its_priority_from_the_beginning) {
   EXPECT_EQ(state_->durable().jobs.at(id).priority, -3) << "that of a job that is there stays";
 }
 
+TEST_F(JobStateTest, each_end_of_a_job_is_untold_until_it_is_told_also_after_a_restart) {
+  rules_.tells_ends = true;
+  restart();
+  const JobId job = submit().job;
+  commit();
+  EXPECT_THAT(state_->untold_ends(), testing::IsEmpty());
+  now_.wall_ms = 77;
+  state_->cancel(job, now_);
+  commit();
+  restart();
+  EXPECT_THAT(state_->untold_ends(), testing::ElementsAre(job));
+  state_->end_was_told(job, 76, "", now_);
+  EXPECT_THAT(state_->untold_ends(), SizeIs(1)) << "that was another end";
+  state_->end_was_told(job, 77, "", now_);
+  commit();
+  restart();
+  EXPECT_THAT(state_->untold_ends(), testing::IsEmpty());
+  EXPECT_EQ(record_.events().back().what, "end told");
+  EXPECT_EQ(state_->retry(job, {}, now_), 1U);
+  now_.wall_ms = 99;
+  state_->cancel(job, now_);
+  EXPECT_THAT(state_->untold_ends(), SizeIs(1)) << "it has ended again";
+  EXPECT_EQ(state_->retry(job, {}, now_), 1U);
+  state_->end_was_told(job, 99, "too late", now_);
+  EXPECT_THAT(state_->untold_ends(), testing::IsEmpty()) << "it goes on, and that is not told";
+  commit();
+}
+
+TEST_F(JobStateTest, where_nobody_is_to_be_told_no_end_is_untold) {
+  state_->cancel(submit().job, now_);
+  commit();
+  EXPECT_THAT(state_->untold_ends(), testing::IsEmpty());
+  EXPECT_FALSE(job().end_untold);
+}
+
 TEST_F(JobStateTest, jobs_without_a_key_are_all_different) {
   EXPECT_NE(submit("").job, submit("").job);
 }
