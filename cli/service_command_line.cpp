@@ -68,6 +68,11 @@ void add_who_may_come(CLI::App& sub, CoordinatorCommand& coordinator) {
                  "Program that is started whenever a job has ended, with what there is to know in "
                  "TETFARM_JOB and other variables (default: none)")
       ->option_text("FILE");
+  sub.add_option("--keep-days", coordinator.keep_days,
+                 "Remove jobs that ended so many days ago, and files that only they need (default: "
+                 "keep them)")
+      ->check(number_between(1e-6, 36'500))
+      ->option_text("N");
   sub.add_flag("--one-job", coordinator.one_job)->group("");
   sub.add_flag("-q,--quiet", coordinator.quiet, "Print only warnings");
 }

@@ -464,6 +464,8 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
   Submission submission;
   try {
     submission = submission_of(message);
+    // What was just being removed, as the last job that had it is forgotten, is put there again.
+    if (!state.has_inputs(submission)) submission = submission_of(message);
   } catch (const OutsideRoots& error) {
     refusals_.count(Refusal::outside_roots, error.what(), now.steady_ms);
     return refuse(connection, error.what(), error.code());

@@ -53,6 +53,7 @@ constexpr int messages_per_commit = 256;
 /// After a turn for nothing but heartbeats: those of a large farm then come several at a time.
 constexpr std::chrono::milliseconds rest{4};
 constexpr int linger_ms = 500;
+constexpr std::int64_t between_removals_ms = 10'000;
 constexpr std::int64_t scratch_age_ms = std::int64_t{7} * 24 * 3600 * 1000;
 
 spdlog::logger make_log(const CoordinatorOptions& options) {
@@ -192,6 +193,24 @@ class Server {
                       .limit_ms = options_.job_end_limit_ms});
   }
 
+  /// One in a turn, as its rows are read; the rows of which to forget when that is durable.
+  std::optional<DurableState> remove_old_job() {
+    if (options_.keep_ms == 0 || now().steady_ms < next_removal_ms_) return std::nullopt;
+    const JobId job = state_->remove_old_job(options_.keep_ms, now());
+    if (job) return finished_.rows_of(job);
+    next_removal_ms_ = now().steady_ms + between_removals_ms;
+    return std::nullopt;
+  }
+
+  /// Its files that no other job needs go in the next turn.
+  void forget(const DurableState& job) {
+    finished_.forget(job);
+    for (const auto& [id, task] : job.tasks) {
+      for (const ArtifactRef& file : task.inputs) state_->consider_file(file.hash);
+      for (const ArtifactRef& file : task.outputs) state_->consider_file(file.hash);
+    }
+  }
+
   /// Of those that were told, before the commit.
   void note_told_ends() {
     if (!ends_) return;
@@ -288,10 +307,12 @@ class Server {
     state_->tick(now());
     seen_files_.reset();
     handler_.carry_out(*state_, now());
+    const std::optional<DurableState> removed = remove_old_job();
     const ChangeSet changes = state_->take_changes();
     const std::vector<std::string> unneeded = state_->take_unneeded_files();
     const bool committed = commit(changes);
     if (committed) note(changes);
+    if (committed && removed) forget(*removed);
     if (committed) removals_.give(unneeded);
     write_complaints();
     send_all(committed ? handler_.take_replies() : handler_.take_replies_uncommitted());
@@ -490,6 +511,7 @@ class Server {
   ServiceManager service_;
   std::unique_ptr<JobState> state_;
   std::unique_ptr<JobEndProgram> ends_;  ///< none where nobody is to be told
+  std::int64_t next_removal_ms_ = 0;  ///< of the steady clock
   std::vector<std::string> endpoints_;
   mutable std::optional<std::set<std::pair<std::string, std::uint64_t>>> seen_files_;
   mutable std::vector<std::string> spared_files_;  ///< that were to be removed, and were asked for

@@ -61,10 +61,10 @@ void FinishedJobs::put(const DurableState& rows) {
   }
 }
 
-void FinishedJobs::remember_files(const DurableState& rows) {
+/// A file as often as tasks have it.
+std::vector<FileKey> FinishedJobs::files_that_stay(const DurableState& rows) const {
   const JobRow& job = rows.jobs.begin()->second;
-  const bool may_go_on = job.phase != JobPhase::done;
-  const bool all = may_go_on || keeps_all(keeps_all_files_, job);
+  const bool all = job.phase != JobPhase::done || keeps_all(keeps_all_files_, job);
   std::vector<FileKey> files;
   const auto add = [&files](const std::vector<ArtifactRef>& more) {
     for (const ArtifactRef& file : more) files.push_back(file_key(file.hash));
@@ -73,10 +73,37 @@ void FinishedJobs::remember_files(const DurableState& rows) {
     if (all || traits_of(task.kind).begins_job) add(task.inputs);
     if (all || stays(task.kind)) add(task.outputs);
   }
+  return files;
+}
+
+void FinishedJobs::remember_files(const DurableState& rows) {
+  const JobRow& job = rows.jobs.begin()->second;
+  const bool may_go_on = job.phase != JobPhase::done;
+  std::vector<FileKey> files = files_that_stay(rows);
   files_of_others_.erase(job.id);
   if (!may_go_on) return merge_into(files_, std::move(files), std::less<>());
   std::sort(files.begin(), files.end());
   files_of_others_[job.id] = std::move(files);
+}
+
+void FinishedJobs::forget(const DurableState& rows) {
+  TF_CHECK(rows.jobs.size() == 1);
+  const JobRow& job = rows.jobs.begin()->second;
+  jobs_.erase(job.id);
+  for (std::vector<Work>& list : work_) {
+    std::erase_if(list, [&rows](const Work& work) { return rows.tasks.contains(work.task); });
+  }
+  if (files_of_others_.erase(job.id) > 0) return;
+  std::map<FileKey, std::size_t> left;
+  for (const FileKey& file : files_that_stay(rows)) ++left[file];
+  for (std::vector<FileKey>& list : files_) {
+    std::erase_if(list, [&left](const FileKey& file) {
+      const auto found = left.find(file);
+      if (found == left.end() || found->second == 0) return false;
+      --found->second;
+      return true;
+    });
+  }
 }
 
 bool FinishedJobs::needs(const std::string& hash, const std::set<JobId>& others) const {

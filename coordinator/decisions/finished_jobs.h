@@ -54,6 +54,10 @@ class FinishedJobs {
   void put_others_than(const DurableState& unfinished,
                        const std::function<bool(const ArtifactRef&)>& has_file = {});
 
+  /// As if it had never been. @pre `rows` are those with which it was put, and committed as
+  /// removed. Cost: O(all tasks and files).
+  void forget(const DurableState& rows);
+
   bool contains(JobId job) const { return jobs_.contains(job); }
   const std::map<JobId, FinishedJob>& jobs() const { return jobs_; }
   /// @throws as reading.
@@ -81,6 +85,7 @@ class FinishedJobs {
   static bool comes_before(const Work& a, const Work& b);
   void remember(std::vector<Work> work);
   void remember_files(const DurableState& rows);
+  std::vector<FileKey> files_that_stay(const DurableState& rows) const;
   void note_leavings(const DurableState& rows,
                      const std::function<bool(const ArtifactRef&)>& has_file);
 

@@ -308,6 +308,13 @@ bool JobState::has_results(JobId job) const {
          std::all_of(results.begin(), results.end(), has_file_);
 }
 
+bool JobState::has_inputs(const Submission& submission) const {
+  const std::vector<ArtifactRef> inputs = first_task(submission).inputs;
+  // Each is asked for, also after one that is missing.
+  return std::count_if(inputs.begin(), inputs.end(), has_file_) ==
+         static_cast<std::ptrdiff_t>(inputs.size());
+}
+
 SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   TaskRow first = first_task(submission);
   const std::string content = content_of(first);

@@ -207,6 +207,8 @@ class JobState {
 
   // Clients.
   SubmitAnswer submit(const Submission& submission, Moment now);
+  /// Whether the files are there that its first task reads; such as were about to be removed stay.
+  bool has_inputs(const Submission& submission) const;
   bool cancel(JobId job, Moment now);
   /// What runs goes on; which tasks are handed out next changes. Of a job that has ended it stays.
   /// False: there is no such job. @pre it is one that a job may have.
@@ -250,6 +252,12 @@ class JobState {
   /// It was told, or given up with `trouble`. Nothing happens where the job has gone on meanwhile.
   /// @param finished_ms as of its row then
   void end_was_told(JobId job, std::int64_t finished_ms, const std::string& trouble, Moment now);
+
+  /// Forgets a job that ended that long ago, the newest of them: none of which anything is at hand,
+  /// whose end is still to be told, or for which another one waits, or would when it is retried. Its
+  /// rows go with the next changes, and once these are durable FinishedJobs is to forget it. 0: there
+  /// is none. Cost: O(jobs). @pre keep_ms > 0
+  JobId remove_old_job(std::int64_t keep_ms, Moment now);
 
   /// Jobs all; tasks and sub-domains of those that are not finished.
   const DurableState& durable() const { return durable_; }
@@ -341,6 +349,9 @@ class JobState {
   void settle_waiting_jobs(Moment now);
   void begin(JobRow& job, Moment now);
   void end_with(JobRow& job, const JobRow& other, Moment now);
+
+  // job_removal.cpp: jobs that are forgotten
+  bool has_aged(const JobRow& job, std::int64_t keep_ms, Moment now) const;
 
   // job_races.cpp: time and room
   std::int64_t limit_ms(const TaskRow& task) const;

@@ -44,7 +44,7 @@ struct JobSummary {
 };
 
 /// Of the jobs after which it begins those that are not done. One that is not there any more has
-/// been removed with age (JobState::remove_old_jobs), and nobody waits for it.
+/// been removed with age (JobState::remove_old_job), and nobody waits for it.
 std::vector<JobId> waits_for(const DurableState& durable, const JobRow& job);
 
 /// "job-3 (wing)"

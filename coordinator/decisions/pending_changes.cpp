@@ -13,6 +13,7 @@ ChangeSet PendingChanges::take(const DurableState& rows) {
   for (auto& [id, attempt] : attempts_) changes.attempts.push_back(std::move(attempt));
   for (auto& [name, host] : hosts_) changes.hosts.push_back(std::move(host));
   changes.events = std::move(events_);
+  changes.removed_jobs = std::move(removed_);
   *this = {};
   return changes;
 }

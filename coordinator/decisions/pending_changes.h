@@ -23,6 +23,11 @@ class PendingChanges {
   void put(const AttemptRow& attempt) { attempts_[attempt.id] = attempt; }
   void put(const WorkerRow& worker) { workers_[worker.id] = worker; }
   void put(const HostRow& host) { hosts_[host.host] = host; }
+  /// @pre its tasks and sub-domains are noted by nobody.
+  void remove(JobId job) {
+    jobs_.erase(job);
+    removed_.push_back(job);
+  }
   void add(EventRow event) { events_.push_back(std::move(event)); }
 
   /// Whether nothing of a job is to be committed.
@@ -39,6 +44,7 @@ class PendingChanges {
   std::map<WorkerId, WorkerRow> workers_;
   std::map<std::string, HostRow> hosts_;
   std::vector<EventRow> events_;
+  std::vector<JobId> removed_;
 };
 
 }  // namespace tetfarm

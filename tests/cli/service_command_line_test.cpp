@@ -24,6 +24,7 @@ TEST_F(ServiceCommandLine, a_coordinator_of_a_store_has_defaults_for_all_else) {
   EXPECT_TRUE(command.allowed_roots.empty());
   EXPECT_EQ(command.max_connections, 16'384U);
   EXPECT_EQ(command.max_workers, 10'000U);
+  EXPECT_EQ(command.keep_days, 0);
   EXPECT_EQ(command.heartbeat_ms, 1'000);
   EXPECT_EQ(command.lease_ms, 10'000);
   EXPECT_EQ(command.task_limit_s, 3'600);
@@ -65,6 +66,8 @@ TEST_F(ServiceCommandLine, a_coordinator_takes_each_of_its_options) {
                                                       "token",
                                                       "--on-job-end",
                                                       "/etc/told",
+                                                      "--keep-days",
+                                                      "1.5",
                                                       "--quiet"});
   EXPECT_THAT(command.endpoints, ElementsAre("tcp://h:1", "ipc://x"));
   EXPECT_EQ(command.database, "d");
@@ -79,6 +82,7 @@ TEST_F(ServiceCommandLine, a_coordinator_takes_each_of_its_options) {
   EXPECT_EQ(command.http_address, "127.0.0.1:8080");
   EXPECT_EQ(command.http_token, "token");
   EXPECT_EQ(command.on_job_end, "/etc/told");
+  EXPECT_EQ(command.keep_days, 1.5);
   EXPECT_TRUE(command.quiet);
   EXPECT_FALSE(command.insecure || command.one_job);
   const std::vector<std::string> least = {"coordinator", "--store", "s", "--listen", "tcp://h:1"};
