@@ -43,6 +43,10 @@ void add_limits(CLI::App& sub, CoordinatorCommand& coordinator) {
                  "Maximum simultaneous workers (default 10000)")
       ->check(whole_number(1, 1'000'000))
       ->option_text("N");
+  sub.add_option("--jobs-per-user", coordinator.jobs_per_user,
+                 "Most jobs of one user that run and wait at once (default: any number)")
+      ->check(whole_number(1, 1'000'000))
+      ->option_text("N");
   sub.add_option(
          "--task-limit", coordinator.task_limit_s,
          "End a task after this time, or after 20 times its expected time if longer (default 3600)")

@@ -28,6 +28,7 @@ CoordinatorOptions coordinator_options(const CoordinatorCommand& command) {
   options.http_address = command.http_address;
   options.http_token = command.http_token;
   options.on_job_end = command.on_job_end;
+  options.jobs_per_user = command.jobs_per_user;
   options.keep_ms = in_ms(command.keep_days * seconds_of_a_day);
   options.log_to_stderr = !command.quiet;
   options.on_http = [is_quiet = command.quiet](const std::string& address) {

@@ -487,11 +487,20 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
                       ", which has a different job file or surface: give it a key of its own",
                   ExitCode::usage);
   }
+  if (submitted.is_one_too_many) return refuse_one_too_many(connection);
   if (submitted.unmet) return refuse_unmet(connection, submitted.unmet, state);
   wire::Envelope reply;
   reply.mutable_submitted()->set_job(job_name(submitted.job));
   reply.mutable_submitted()->set_existed(submitted.existed);
   answer(connection, std::move(reply));
+}
+
+void RequestHandler::refuse_one_too_many(const std::string& connection) {
+  refuse(connection,
+         "this user has as many jobs that run or wait as one may have here, which is " +
+             std::to_string(options_.jobs_per_user) +
+             ": wait until one of them is done (tetfarm wait), or cancel one",
+         ExitCode::out_of_resources);
 }
 
 /// The job waits for another one that will not end well, as things are.
@@ -527,6 +536,11 @@ void RequestHandler::retry(const std::string& connection, const wire::Retry& mes
                            JobState& state, Moment now) {
   if (const JobId unmet = state.unmet_by(parse_job_name(message.job()))) {
     return refuse_unmet(connection, unmet, state);
+  }
+  if (const auto found = state.durable().jobs.find(parse_job_name(message.job()));
+      found != state.durable().jobs.end() && is_end(found->second.phase) &&
+      found->second.phase != JobPhase::done && state.has_all_jobs(found->second.owner)) {
+    return refuse_one_too_many(connection);
   }
   wire::Envelope reply;
   reply.mutable_retried()->set_count(

@@ -33,6 +33,7 @@ struct HandlerOptions {
   std::string security = "plain";  ///< for StatusReply
   /// A submission may cancel all other jobs: a farm of one job, as `tetfarm run` starts it.
   bool may_replace_jobs = false;
+  std::size_t jobs_per_user = 0;  ///< as of FarmRules, for what is said
 };
 
 /// A message to send to a connection.
@@ -130,6 +131,7 @@ class RequestHandler {
   void submit(const Sender& sender, const wire::Submit& message, JobState& state, Moment now);
   Submission submission_of(const wire::Submit& message) const;
   void add_loop(const wire::Submit& message, Submission& submission) const;
+  void refuse_one_too_many(const std::string& connection);
   void refuse_unmet(const std::string& connection, JobId unmet, const JobState& state);
   void set_priority(const std::string& connection, const wire::SetPriority& message,
                     JobState& state, Moment now);

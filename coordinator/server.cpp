@@ -129,7 +129,8 @@ class Server {
                  {.heartbeat_ms = options.heartbeat_ms,
                   .lease_ms = options.lease_ms,
                   .max_workers = options.max_workers,
-                  .may_replace_jobs = options.one_job},
+                  .may_replace_jobs = options.one_job,
+                  .jobs_per_user = options.jobs_per_user},
                  refusals_),
         files_(store_),
         removals_(store_),
@@ -142,6 +143,7 @@ class Server {
     rules_.unknown_limit_ms = options.first_task_limit_ms;
     rules_.program = program_identity();
     rules_.keeps_all_files = keeps_all_of_row;
+    rules_.jobs_per_user = options.jobs_per_user;
     rules_.tells_ends = !options.on_job_end.empty();
     allow_open_files(2 * options.max_connections);
     restore();
@@ -186,11 +188,11 @@ class Server {
   }
 
   void watch_ends() {
-    ends_ = std::make_unique<JobEndProgram>(
-        JobEndOptions{.program = checked_job_end_program(options_.on_job_end),
-                      .store = std::filesystem::absolute(options_.store),
-                      .endpoint = endpoints_.front(),
-                      .limit_ms = options_.job_end_limit_ms});
+    JobEndOptions told;
+    told.program = checked_job_end_program(options_.on_job_end);
+    told.store = std::filesystem::absolute(options_.store);
+    told.endpoint = endpoints_.front();
+    ends_ = std::make_unique<JobEndProgram>(std::move(told));
   }
 
   /// One in a turn, as its rows are read; the rows of which to forget when that is durable.
@@ -511,7 +513,7 @@ class Server {
   ServiceManager service_;
   std::unique_ptr<JobState> state_;
   std::unique_ptr<JobEndProgram> ends_;  ///< none where nobody is to be told
-  std::int64_t next_removal_ms_ = 0;  ///< of the steady clock
+  std::int64_t next_removal_ms_ = 0;     ///< of the steady clock
   std::vector<std::string> endpoints_;
   mutable std::optional<std::set<std::pair<std::string, std::uint64_t>>> seen_files_;
   mutable std::vector<std::string> spared_files_;  ///< that were to be removed, and were asked for

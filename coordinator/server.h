@@ -37,12 +37,11 @@ struct CoordinatorOptions {
   /// A program of the administrator's that is started when a job has ended (job_end_program.h); "":
   /// none.
   std::filesystem::path on_job_end = {};
-  std::int64_t job_end_limit_ms = 60'000;  ///< how long it may take
-  std::int64_t keep_ms = 0;                ///< how long jobs are kept that have ended; 0: for ever
-  std::size_t jobs_per_user = 0;           ///< that may run and wait at once; 0: any number
-  bool one_job = false;        ///< serves one run: a submission may replace the jobs before it
-  bool log_to_stderr = false;  ///< everything, not only warnings
-  bool handle_signals = true;  ///< SIGTERM and SIGINT stop it cleanly; off in a thread
+  std::int64_t keep_ms = 0;       ///< how long jobs are kept that have ended; 0: for ever
+  std::size_t jobs_per_user = 0;  ///< that may run and wait at once; 0: any number
+  bool one_job = false;           ///< serves one run: a submission may replace the jobs before it
+  bool log_to_stderr = false;     ///< everything, not only warnings
+  bool handle_signals = true;     ///< SIGTERM and SIGINT stop it cleanly; off in a thread
   const std::atomic<bool>* stop = nullptr;  ///< looked at every 100 ms
 
   /// Called once, when clients and workers may connect, with the endpoints as bound.

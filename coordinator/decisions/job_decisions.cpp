@@ -308,6 +308,14 @@ bool JobState::has_results(JobId job) const {
          std::all_of(results.begin(), results.end(), has_file_);
 }
 
+bool JobState::has_all_jobs(const std::string& owner) const {
+  if (rules_.jobs_per_user == 0) return false;
+  const auto has = std::count_if(durable_.jobs.begin(), durable_.jobs.end(), [&](const auto& job) {
+    return job.second.owner == owner && !is_end(job.second.phase);
+  });
+  return static_cast<std::size_t>(has) >= rules_.jobs_per_user;
+}
+
 bool JobState::has_inputs(const Submission& submission) const {
   const std::vector<ArtifactRef> inputs = first_task(submission).inputs;
   // Each is asked for, also after one that is missing.
@@ -321,19 +329,25 @@ SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   const auto known =
       submission.key.empty() ? keys_.end() : keys_.find({submission.owner, submission.key});
   if (known != keys_.end() && durable_.jobs.at(known->second).content != content) {
-    return {known->second, true, true, {}};
+    return {known->second, true, true, {}, false};
   }
   if (known == keys_.end()) {
-    if (const JobId unmet = unmet_of(submission.after)) return {{}, false, false, unmet};
+    if (const JobId unmet = unmet_of(submission.after)) return {{}, false, false, unmet, false};
+  }
+  const JobPhase before =
+      known == keys_.end() ? JobPhase::cancelled : durable_.jobs.at(known->second).phase;
+  const bool would_go_on = before == JobPhase::failed || before == JobPhase::cancelled;
+  if (would_go_on && !submission.replaces_others && has_all_jobs(submission.owner)) {
+    return {{}, false, false, {}, true};
   }
   if (submission.replaces_others) cancel_others(submission, now);
   if (known != keys_.end()) {
-    if (has_results(known->second)) return {known->second, true, false, {}};
+    if (has_results(known->second)) return {known->second, true, false, {}, false};
     bring_back(known->second);
     JobRow& job = edit(known->second);
     if (job.phase == JobPhase::failed || job.phase == JobPhase::cancelled) resume(job, now);
     if (job.phase == JobPhase::done) remake_results(job, now);
-    return {known->second, true, false, {}};
+    return {known->second, true, false, {}, false};
   }
   JobRow job;
   job.id = JobId{++durable_.last_job};
@@ -357,7 +371,7 @@ SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   }
   first.job = job.id;
   add_task(std::move(first), now);
-  return {job.id, false, false, {}};
+  return {job.id, false, false, {}, false};
 }
 
 void JobState::cancel_others(const Submission& submission, Moment now) {

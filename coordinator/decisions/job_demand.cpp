@@ -26,9 +26,11 @@ std::vector<TaskId> JobState::running_and_next(std::size_t count) const {
   for (const auto& [id, attempt] : durable_.running_attempts) {
     if (!attempt.is_rival) tasks.push_back(attempt.task);
   }
-  for (auto offer = lists_.offers().begin(); offer != lists_.offers().end() && count > 0;
-       ++offer, --count) {
-    tasks.push_back(std::get<TaskId>(*offer));
+  FairTurns turns(lists_.offers_of_users(), users_at_work());
+  for (; count > 0; --count) {
+    const std::optional<TaskId> turn = turns.next();
+    if (!turn) break;
+    tasks.push_back(*turn);
   }
   return tasks;
 }

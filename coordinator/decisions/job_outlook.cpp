@@ -141,8 +141,8 @@ std::vector<std::string> JobState::reasons_to_wait(const TaskRow& task, Moment n
   if (!reasons.empty()) return reasons;
   reasons = obstacles(task, now);
   std::size_t ahead = 0;
-  for (const auto& [priority, rank, other] : lists_.offers()) {
-    if (other == task.id) break;
+  FairTurns turns(lists_.offers_of_users(), users_at_work());
+  for (std::optional<TaskId> turn = turns.next(); turn && *turn != task.id; turn = turns.next()) {
     ++ahead;
   }
   if (ahead == 1) reasons.push_back("1 ready task comes before it");

@@ -41,6 +41,7 @@
 
 #include "coordinator/decisions/attempt_work.h"
 #include "coordinator/decisions/cosmetic_graph.h"
+#include "coordinator/decisions/fair_turns.h"
 #include "coordinator/decisions/file_needs.h"
 #include "coordinator/decisions/finished_jobs.h"
 #include "coordinator/decisions/full_disk_pause.h"
@@ -94,7 +95,8 @@ struct FarmRules {
   std::int64_t least_late_ms = 10'000;
   /// Which jobs keep all files between their tasks; without it all do.
   KeepsAllFiles keeps_all_files = {};
-  bool tells_ends = false;  ///< somebody is to be told of each job's end; see untold_ends()
+  std::size_t jobs_per_user = 0;  ///< that may run and wait at once; 0: any number
+  bool tells_ends = false;        ///< somebody is to be told of each job's end; see untold_ends()
 };
 
 struct WorkerInfo {
@@ -142,6 +144,7 @@ struct SubmitAnswer {
   bool differs = false;  ///< the job of that key has other contents: nothing was done
   /// Of those to wait for one that is unknown, or has failed or was cancelled: nothing was done.
   JobId unmet = {};
+  bool is_one_too_many = false;  ///< its owner has as many as one may have: nothing was done
 };
 
 /// A worker that is here.
@@ -216,6 +219,8 @@ class JobState {
   /// Takes a task out of quarantine, or (task 0) all of the job; it goes on. How many were taken
   /// out; 0 when there is no such job or task in quarantine.
   std::size_t retry(JobId job, TaskId task, Moment now);
+  /// Whether its owner has as many jobs as one may have that run and wait. Cost: O(jobs).
+  bool has_all_jobs(const std::string& owner) const;
   /// The job for which this one cannot go on: it waits for that, and that has failed or was
   /// cancelled. 0: there is none, or no such job.
   JobId unmet_by(JobId job) const;
@@ -254,9 +259,9 @@ class JobState {
   void end_was_told(JobId job, std::int64_t finished_ms, const std::string& trouble, Moment now);
 
   /// Forgets a job that ended that long ago, the newest of them: none of which anything is at hand,
-  /// whose end is still to be told, or for which another one waits, or would when it is retried. Its
-  /// rows go with the next changes, and once these are durable FinishedJobs is to forget it. 0: there
-  /// is none. Cost: O(jobs). @pre keep_ms > 0
+  /// whose end is still to be told, or for which another one waits, or would when it is retried.
+  /// Its rows go with the next changes, and once these are durable FinishedJobs is to forget it. 0:
+  /// there is none. Cost: O(jobs). @pre keep_ms > 0
   JobId remove_old_job(std::int64_t keep_ms, Moment now);
 
   /// Jobs all; tasks and sub-domains of those that are not finished.
@@ -333,7 +338,9 @@ class JobState {
   bool may_work(WorkerId worker) const;
   static bool does_kind(const WorkerSession& session, TaskKind kind);
   bool suits(WorkerId worker, TaskId task, std::uint64_t free_bytes, Moment now) const;
-  TaskId pick_for(WorkerId worker, const WorkerSessions::HostMemory& used, Moment now);
+  UsersAtWork users_at_work() const;
+  TaskId pick_for(WorkerId worker, const WorkerSessions::HostMemory& used, const UsersAtWork& users,
+                  Moment now);
   void lease(WorkerId worker, TaskId task, WorkerSessions::HostMemory& used, Moment now);
 
   // job_outlook.cpp: why a task does not run

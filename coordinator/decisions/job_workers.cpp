@@ -154,6 +154,7 @@ bool JobState::may_work(WorkerId worker) const {
 void JobState::hand_out(Moment now) {
   std::optional<WorkerSessions::HostMemory> known;
   std::optional<std::vector<TaskId>> late;
+  std::optional<UsersAtWork> users;
   for (auto next = workers_.idle().begin(); next != workers_.idle().end();) {
     if (lists_.offers().empty() && !late) late = late_tasks(now);
     if (lists_.offers().empty() && late->empty()) return;
@@ -161,7 +162,9 @@ void JobState::hand_out(Moment now) {
     if (!may_work(worker)) continue;
     if (!known) known = workers_.used_memory(durable_.running_attempts);
     WorkerSessions::HostMemory& used = *known;
-    TaskId task = pick_for(worker, used, now);
+    if (!users) users = users_at_work();
+    TaskId task = pick_for(worker, used, *users, now);
+    if (task) ++(*users)[durable_.jobs.at(durable_.tasks.at(task).job).owner];
     if (!task && !late) late = late_tasks(now);
     if (!task) task = pick_late(worker, *late, used, now);
     if (task) lease(worker, task, used, now);
@@ -184,13 +187,25 @@ bool JobState::suits(WorkerId worker, TaskId id, std::uint64_t free_bytes, Momen
          !waits_for_another_host(task, workers_.at(worker).row.host, now);
 }
 
+/// Of races only the first attempt counts: it is not the user's doing that there is another.
+UsersAtWork JobState::users_at_work() const {
+  UsersAtWork users;
+  for (const auto& [id, attempt] : durable_.running_attempts) {
+    if (!attempt.is_rival) ++users[durable_.jobs.at(durable_.tasks.at(attempt.task).job).owner];
+  }
+  return users;
+}
+
 /// The best task for a worker; 0 when there is none for it now. Tasks whose inputs turn out to be
 /// gone start to wait.
-TaskId JobState::pick_for(WorkerId worker, const WorkerSessions::HostMemory& used, Moment now) {
+TaskId JobState::pick_for(WorkerId worker, const WorkerSessions::HostMemory& used,
+                          const UsersAtWork& users, Moment now) {
   const std::uint64_t free_bytes = workers_.free_memory(worker, used);
   std::vector<TaskId> incomplete;
   TaskId picked;
-  for (const auto& [priority, rank, id] : lists_.offers()) {
+  FairTurns turns(lists_.offers_of_users(), users);
+  for (std::optional<TaskId> turn = turns.next(); turn; turn = turns.next()) {
+    const TaskId id = *turn;
     if (!suits(worker, id, free_bytes, now)) continue;
     const std::vector<ArtifactRef>& inputs = durable_.tasks.at(id).inputs;
     if (std::all_of(inputs.begin(), inputs.end(), has_file_)) {

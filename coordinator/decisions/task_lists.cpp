@@ -45,11 +45,25 @@ void TaskLists::place(const TaskRow& task) { places_[{task.job, task.kind, task.
 
 void TaskLists::unplace(const TaskRow& task) { places_.erase({task.job, task.kind, task.path}); }
 
+void TaskLists::offer(const TaskRow& task, const JobRow& job) {
+  offers_.insert(offer_of(task, job));
+  offers_of_users_[job.owner].insert(offer_of(task, job));
+}
+
+/// Whether it was on offer.
+bool TaskLists::withdraw(const TaskRow& task, const JobRow& job) {
+  if (offers_.erase(offer_of(task, job)) == 0) return false;
+  const auto of_user = offers_of_users_.find(job.owner);
+  of_user->second.erase(offer_of(task, job));
+  if (of_user->second.empty()) offers_of_users_.erase(of_user);
+  return true;
+}
+
 void TaskLists::update(const TaskRow& task, const JobRow& job) {
   if (is_on_offer(task, job)) {
-    offers_.insert(offer_of(task, job));
+    offer(task, job);
   } else {
-    offers_.erase(offer_of(task, job));
+    withdraw(task, job);
   }
   list(task, is_at_work(task), active_);
   list(task, task.state == TaskState::failed, failed_);
@@ -59,11 +73,11 @@ void TaskLists::move(const std::map<TaskId, TaskRow>& tasks, JobRow& job, int pr
   std::vector<TaskId> offered;
   if (const auto found = active_.find(job.id); found != active_.end()) {
     for (const TaskId id : found->second) {
-      if (offers_.erase(offer_of(tasks.at(id), job)) > 0) offered.push_back(id);
+      if (withdraw(tasks.at(id), job)) offered.push_back(id);
     }
   }
   job.priority = priority;
-  for (const TaskId id : offered) offers_.insert(offer_of(tasks.at(id), job));
+  for (const TaskId id : offered) offer(tasks.at(id), job);
 }
 
 void TaskLists::forget(JobId job) {
@@ -97,7 +111,11 @@ void TaskLists::find_unlisted(const TaskRow& task, const JobRow& job,
   const auto report = [&broken, &task](const char* what) {
     broken.push_back("task " + std::to_string(task.id.value) + ": " + what);
   };
-  if (offers_.contains(offer_of(task, job)) != is_on_offer(task, job)) {
+  const bool is_offered = offers_.contains(offer_of(task, job));
+  const auto of_user = offers_of_users_.find(job.owner);
+  const bool is_users =
+      of_user != offers_of_users_.end() && of_user->second.contains(offer_of(task, job));
+  if (is_offered != is_on_offer(task, job) || is_users != is_offered) {
     report("wrongly on offer or not on offer");
   }
   if (is_listed(task, active_) != is_at_work(task)) report("wrongly listed as active, or not");
@@ -124,7 +142,10 @@ std::vector<std::string> TaskLists::validate(const std::map<TaskId, TaskRow>& ta
     if (task.state == TaskState::failed) ++failed;
     if (task.state != TaskState::replaced) ++placed;
   }
-  if (offers_.size() != offered) broken.emplace_back("a task on offer that does not exist");
+  std::size_t of_users = 0;
+  for (const auto& [user, tasks_of_user] : offers_of_users_) of_users += tasks_of_user.size();
+  if (offers_.size() != offered || of_users != offered)
+    broken.emplace_back("a task on offer that does not exist");
   if (count_of(active_) != active) broken.emplace_back("an active task that does not exist");
   if (count_of(failed_) != failed) broken.emplace_back("a failed task that does not exist");
   if (places_.size() != placed) broken.emplace_back("a place of a task that does not exist");

@@ -28,6 +28,8 @@ class TaskLists {
   /// task's kind, the task.
   using Offer = std::tuple<int, int, TaskId>;
   using OfJobs = std::map<JobId, std::set<TaskId>>;
+  /// By the owner of the job; nobody is named who has none.
+  using OfUsers = std::map<std::string, std::set<Offer>>;
 
   /// The task takes its place; who had it has none any more, which validate() tells.
   void place(const TaskRow& task);
@@ -43,8 +45,10 @@ class TaskLists {
   std::optional<TaskId> find(JobId job, TaskKind kind, std::uint64_t path) const;
   /// Those that have a place, kind by kind, by path. Cost: O(log tasks + tasks of the job).
   std::vector<TaskId> tasks_of(JobId job) const;
-  /// In the order in which they are handed out.
+  /// In the order in which they are handed out where all are one user's.
   const std::set<Offer>& offers() const { return offers_; }
+  /// The same, user by user; see fair_turns.h.
+  const OfUsers& offers_of_users() const { return offers_of_users_; }
   /// Whether some task of the job is ready or leased.
   bool is_active(JobId job) const { return active_.contains(job); }
   /// Jobs with tasks in quarantine.
@@ -58,11 +62,14 @@ class TaskLists {
  private:
   using Place = std::tuple<JobId, TaskKind, std::uint64_t>;
 
+  void offer(const TaskRow& task, const JobRow& job);
+  bool withdraw(const TaskRow& task, const JobRow& job);
   void find_unlisted(const TaskRow& task, const JobRow& job,
                      std::vector<std::string>& broken) const;
 
   std::map<Place, TaskId> places_;
   std::set<Offer> offers_;
+  OfUsers offers_of_users_;
   OfJobs active_;
   OfJobs failed_;
 };

@@ -559,7 +559,6 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
       {farm({"cancel"}), "JOB is required"},
       {farm({"priority", "job-7"}), "N is required"},
       {farm({"priority", "job-7", "1001"}), "N: Value 1001 not in range -1000 to 1000"},
-      {farm({"submit", "a.stl", "--after"}), "--after: 1 required JOB missing"},
       {farm({"submit", "a.stl", "--priority", "-1001"}),
        "--priority: Value -1001 not in range -1000 to 1000"},
       {{"retry", "job-7"}, "--connect is required"},

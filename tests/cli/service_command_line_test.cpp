@@ -25,6 +25,7 @@ TEST_F(ServiceCommandLine, a_coordinator_of_a_store_has_defaults_for_all_else) {
   EXPECT_EQ(command.max_connections, 16'384U);
   EXPECT_EQ(command.max_workers, 10'000U);
   EXPECT_EQ(command.keep_days, 0);
+  EXPECT_EQ(command.jobs_per_user, 0U);
   EXPECT_EQ(command.heartbeat_ms, 1'000);
   EXPECT_EQ(command.lease_ms, 10'000);
   EXPECT_EQ(command.task_limit_s, 3'600);
@@ -66,6 +67,8 @@ TEST_F(ServiceCommandLine, a_coordinator_takes_each_of_its_options) {
                                                       "token",
                                                       "--on-job-end",
                                                       "/etc/told",
+                                                      "--jobs-per-user",
+                                                      "14",
                                                       "--keep-days",
                                                       "1.5",
                                                       "--quiet"});
@@ -83,6 +86,7 @@ TEST_F(ServiceCommandLine, a_coordinator_takes_each_of_its_options) {
   EXPECT_EQ(command.http_token, "token");
   EXPECT_EQ(command.on_job_end, "/etc/told");
   EXPECT_EQ(command.keep_days, 1.5);
+  EXPECT_EQ(command.jobs_per_user, 14U);
   EXPECT_TRUE(command.quiet);
   EXPECT_FALSE(command.insecure || command.one_job);
   const std::vector<std::string> least = {"coordinator", "--store", "s", "--listen", "tcp://h:1"};

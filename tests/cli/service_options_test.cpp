@@ -26,6 +26,7 @@ TEST(ServiceOptions, of_a_coordinator_are_those_of_its_command_line) {
   command.http_token = "token";
   command.on_job_end = "/etc/told";
   command.keep_days = 0.5;
+  command.jobs_per_user = 3;
   const CoordinatorOptions options = coordinator_options(command);
   EXPECT_EQ(options.store, "s");
   EXPECT_EQ(options.database, "d");
@@ -42,6 +43,7 @@ TEST(ServiceOptions, of_a_coordinator_are_those_of_its_command_line) {
   EXPECT_EQ(options.http_token, "token");
   EXPECT_EQ(options.on_job_end, "/etc/told");
   EXPECT_EQ(options.keep_ms, 43'200'000);
+  EXPECT_EQ(options.jobs_per_user, 3U);
   EXPECT_FALSE(options.insecure || options.one_job);
   EXPECT_TRUE(options.log_to_stderr);
   command.insecure = true;

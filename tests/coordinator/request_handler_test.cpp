@@ -223,8 +223,9 @@ TEST_F(Conversation, submissions_are_refused_with_what_is_wrong) {
 
 TEST_F(Conversation, a_job_waits_only_for_those_that_may_end_well) {
   say(submission("first"));
-  const auto after = [this](const std::string& job) {
-    wire::Envelope envelope = submission("after " + job);
+  int keys = 0;
+  const auto after = [this, &keys](const std::string& job) {
+    wire::Envelope envelope = submission("after " + std::to_string(++keys));
     envelope.mutable_submit()->add_after(job);
     return say(envelope);
   };
@@ -243,6 +244,32 @@ TEST_F(Conversation, a_job_waits_only_for_those_that_may_end_well) {
   retry.mutable_retry()->set_job("job-2");
   EXPECT_THAT(say(retry), ElementsAre(HasSubstr("which was cancelled: `tetfarm retry job-1`")));
   EXPECT_EQ(state_.durable().jobs.size(), 2U);
+}
+
+TEST_F(Conversation, who_has_as_many_jobs_as_one_may_have_is_told_what_to_do) {
+  FarmRules rules;
+  rules.jobs_per_user = 1;
+  JobState state(
+      {}, rules, [](const ArtifactRef&) { return true; }, now_);
+  HandlerOptions with_bound = options(false);
+  with_bound.jobs_per_user = 1;
+  RequestHandler handler{store_, roots_, with_bound, refusals_};
+  const auto said = [&](const wire::Envelope& envelope, const std::string& key) {
+    handler.handle(sender("line", Role::submitter, key), encode(envelope), state, now_);
+    return texts(handler.take_replies());
+  };
+  EXPECT_THAT(said(submission("1"), "anna"), ElementsAre(HasSubstr("job-1")));
+  EXPECT_THAT(said(submission("2"), "anna"),
+              ElementsAre("line now: refused { reason: \"this user has as many jobs that run or "
+                          "wait as one may have here, which is 1: wait until one of them is done "
+                          "(tetfarm wait), or cancel one\" exit_code: 6 }"));
+  EXPECT_THAT(said(submission("1"), "anna"), ElementsAre(HasSubstr("existed: true")));
+  EXPECT_THAT(said(submission("2"), "berta"), ElementsAre(HasSubstr("job-2")));
+  said(cancel("job-1"), "anna");
+  EXPECT_THAT(said(submission("3"), "anna"), ElementsAre(HasSubstr("job-3")));
+  wire::Envelope retry;
+  retry.mutable_retry()->set_job("job-1");
+  EXPECT_THAT(said(retry, "anna"), ElementsAre(HasSubstr("exit_code: 6")));
 }
 
 TEST_F(Conversation, a_run_may_replace_its_jobs) {

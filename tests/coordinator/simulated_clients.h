@@ -23,6 +23,8 @@ struct Wish {
   std::uint64_t hopeless = 0;
   std::uint64_t giant = 0;
   TaskKind giant_kind = TaskKind::mesh;
+  bool second_waits = false;   ///< for the first
+  bool several_users = false;  ///< each job is another one's
 };
 
 inline bool is_hopeless(const Wish& wish, const TaskRow& task) {
@@ -100,6 +102,7 @@ class Clients {
   }
 
   bool is_as_good_as_it_gets(JobId job) const {
+    if (committed_.jobs.at(job).message.starts_with("it waited for")) return false;
     return std::all_of(committed_.tasks.begin(), committed_.tasks.end(), [&](const auto& entry) {
       const TaskRow& task = entry.second;
       return task.job != job || task.state != TaskState::failed || is_in_vain(wish_, task);

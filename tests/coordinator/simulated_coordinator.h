@@ -38,6 +38,7 @@ class Coordinator {
     const std::int64_t& now_ms;
     std::function<void(int, Message)> post;
     std::function<bool(int)> can_reach;
+    bool second_waits = false;  ///< of the jobs, for the first
   };
 
   Coordinator(Farm farm, const FarmRules& rules) : farm_(std::move(farm)), rules_(rules) {
@@ -309,9 +310,21 @@ class Coordinator {
     state_->failed(worker, TaskId{message.task()}, AttemptId{message.attempt()}, failure, moment());
   }
 
+  /// One that is to wait for a job that is not there yet is not heard; it is said again.
+  void take_submission(std::size_t number) {
+    Submission submission = farm_.jobs[number];
+    if (farm_.second_waits && number == 1) {
+      for (const auto& [id, job] : state_->durable().jobs) {
+        if (job.key == farm_.jobs.front().key) submission.after = {id};
+      }
+      if (submission.after.empty()) return;
+    }
+    state_->submit(submission, moment());
+  }
+
   bool heed_client(const ToCoordinator& message) {
     if (const auto* submit = std::get_if<SubmitSaid>(&message)) {
-      state_->submit(farm_.jobs[static_cast<std::size_t>(submit->job)], moment());
+      take_submission(static_cast<std::size_t>(submit->job));
     } else if (const auto* cancel = std::get_if<CancelSaid>(&message)) {
       state_->cancel(cancel->job, moment());
     } else if (const auto* retry = std::get_if<RetrySaid>(&message)) {

@@ -121,6 +121,7 @@ class Farm {
                       to_inspect(job, surface())});
       // Of several jobs, the second remeshes its surface.
       jobs.back().remeshes = jobs.size() == 2;
+      if (wish_.several_users) jobs.back().owner = "user-" + std::to_string(jobs.size());
     }
     return jobs;
   }
@@ -152,7 +153,8 @@ class Farm {
         jobs_,
         now_ms_,
         [this](int connection, Message message) { post(connection, false, std::move(message)); },
-        [this](int connection) { return has_worker_at(connection); }};
+        [this](int connection) { return has_worker_at(connection); },
+        wish_.second_waits};
   }
 
   bool has_worker_at(int connection) const {
