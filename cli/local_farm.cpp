@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <string_view>
 #include <system_error>
 #include <thread>
 
@@ -61,13 +62,26 @@ std::string make_socket_folder() {
   return name;
 }
 
+/// A local farm has no keys, whichever keys this shell uses with other farms.
+std::vector<char*> environment_without_keys() {
+  std::vector<char*> kept;
+  for (char* const* entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view text = *entry;
+    const bool is_of_keys =
+        text.starts_with("TETFARM_KEY=") || text.starts_with("TETFARM_COORDINATOR_KEY=");
+    if (!is_of_keys) kept.push_back(*entry);
+  }
+  kept.push_back(nullptr);
+  return kept;
+}
+
 /// Between fork and exec: async-signal-safe calls only.
-[[noreturn]] void become(char* const* arguments, pid_t parent, int log) {
+[[noreturn]] void become(char* const* arguments, char* const* environment, pid_t parent, int log) {
   live_with_parent(parent);
   ::dup2(log, STDOUT_FILENO);
   ::dup2(log, STDERR_FILENO);
   ::close_range(STDERR_FILENO + 1, ~0U, 0);
-  ::execv(arguments[0], arguments);
+  ::execve(arguments[0], arguments, environment);
   ::_exit(127);
 }
 
@@ -120,12 +134,13 @@ void LocalFarm::start(Member& member, const std::vector<std::string>& command,
   TF_CHECK(!command.empty());
   TF_CHECK(member.process <= 0);  // it runs once
   const std::vector<char*> arguments = exec_arguments(command);
+  const std::vector<char*> environment = environment_without_keys();
   const std::filesystem::path path = options_.store / log;
   const int log_fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (log_fd < 0) throw IoError("cannot write the log", path, errno);
   const pid_t parent = ::getpid();
   member.process = ::fork();
-  if (member.process == 0) become(arguments.data(), parent, log_fd);
+  if (member.process == 0) become(arguments.data(), environment.data(), parent, log_fd);
   const int error = errno;
   ::close(log_fd);
   if (member.process < 0) throw IoError("cannot start a process", command[0], error);

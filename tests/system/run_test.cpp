@@ -124,6 +124,17 @@ TEST(Run, a_file_that_does_not_fit_ends_with_6_and_the_same_command_goes_on_with
   EXPECT_EQ(with_room.code, 0) << with_room.err;
 }
 
+TEST(Run, uses_no_keys_whichever_the_shell_has_for_other_farms) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"keys", "new", "anna"}, folder.path()).code, 0);
+  const Ended ended =
+      Program(test::run_words(test::sphere_in_box(folder.path(), 3, 1), "out", 1), folder.path(),
+              {"/usr/bin/env", "TETFARM_KEY=anna.key", "TETFARM_COORDINATOR_KEY=anna.pub",
+               test::built_program()})
+          .wait();
+  EXPECT_EQ(ended.code, 0) << ended.err;
+}
+
 TEST(Run, a_surface_with_a_hole_ends_with_3_and_shows_where) {
   const TemporaryFolder folder;
   SurfaceMesh open = shapes::sphere({0, 0, 0}, 1, 1);
