@@ -25,6 +25,7 @@
 #include "cli/progress_display.h"
 #include "cli/progress_lines.h"
 #include "cli/service_options.h"
+#include "cli/unit_options.h"
 #include "cli/wave_options.h"
 #include "coordinator/log_lines.h"
 #include "coordinator/server.h"
@@ -145,6 +146,9 @@ std::string option_of_surfaces(const SubmitCommand& command) {
       {!job.layers.empty(), "--layers"},
       {!job.pml.empty(), "--pml"},
       {!job.patch_types.empty(), "--patch-type"},
+      {!job.patch_sizes.empty(), "--patch-size"},
+      {job.scale.has_value(), "--scale"},
+      {!job.unit.empty(), "--unit"},
       {job.max_elements.has_value(), "--max-elements"},
       {job.force, "--force"},
       {!job.formats.empty(), "--format"},
@@ -176,6 +180,7 @@ ExitCode submit_command(const SubmitCommand& command) {
   if (is_loop_file(command.job.input)) return submit_loop(command);
   const ClientOptions& client = command.client;
   const JobInput input = job_to_submit(command);
+  tell_lengths(input.job, client.progress);
   tell_wave(input.job, client.progress);
   CoordinatorConnection connection = connect(client, command.job.store);
   wire::Submit submit = bring_job(command, input, connection);
