@@ -8,15 +8,16 @@
 #include "cli/healing_report.h"
 #include "cli/job_input.h"
 #include "cli/layers_report.h"
+#include "cli/unit_options.h"
 #include "cli/wave_options.h"
 #include "json/json_line.h"
 #include "json/surface_angles.h"
-#include "mesh/formats/surfaces/read_surface.h"
 #include "worker/checked_input.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
 #include "worker/job_layers.h"
 #include "worker/job_remeshing.h"
+#include "worker/job_surface.h"
 
 namespace tetfarm {
 namespace {
@@ -72,25 +73,35 @@ void print_remark(const std::string& remark) {
   std::printf("remark          %s\n", remark.c_str());
 }
 
-void print_region(const RegionFigures& region) {
+std::string cubed_unit(const JobFile& job) {
+  const std::string unit = unit_behind(job);
+  return unit.empty() ? "" : unit + "^3";
+}
+
+void print_region(const JobFile& job, const RegionFigures& region) {
   if (region.number > 0) {
     std::printf("region %-8d %s", region.number, region.name.c_str());
   } else {
     std::printf("void            %s", region.name.c_str());
   }
-  if (region.volume > 0) std::printf(", volume %.9g", region.volume);
+  if (region.volume > 0) std::printf(", volume %.9g%s", region.volume, cubed_unit(job).c_str());
   std::printf("\n");
 }
 
-void print_report(const SurfaceMesh& surface, const SurfaceReport& report) {
+void print_report(const JobFile& job, const SurfaceMesh& surface, const SurfaceReport& report) {
+  const std::string unit = unit_behind(job);
+  const std::string lengths = lengths_text(job);
+  if (!lengths.empty()) std::printf("lengths         %s\n", lengths.c_str());
   std::printf(
       "triangles       %zu\nvertices        %zu\npatches         %zu\nshells          %zu\n",
       surface.triangles.size(), surface.vertices.size(), surface.patch_names.size(),
       report.shells.size());
-  std::printf("volume          %.9g\nedges           %.4g shortest, %.4g median, %.4g longest\n",
-              report.volume, report.shortest_edge, report.median_edge, report.longest_edge);
+  std::printf("volume          %.9g%s\n", report.volume, cubed_unit(job).c_str());
+  std::printf("edges           %.4g%s shortest, %.4g%s median, %.4g%s longest\n",
+              report.shortest_edge, unit.c_str(), report.median_edge, unit.c_str(),
+              report.longest_edge, unit.c_str());
   std::printf("smallest angle  %s deg\n", angle_text(report.smallest_angle_deg).c_str());
-  for (const RegionFigures& region : report.regions) print_region(region);
+  for (const RegionFigures& region : report.regions) print_region(job, region);
   for (const std::string& remark : report.remarks) print_remark(remark);
 }
 
@@ -138,6 +149,9 @@ JobInput input_of(const CheckOptions& options) {
   job_options.layers = options.layers;
   job_options.pml = options.pml;
   job_options.patch_types = options.patch_types;
+  job_options.patch_sizes = options.patch_sizes;
+  job_options.scale = options.scale;
+  job_options.unit = options.unit;
   job_options.symmetry = options.symmetry;
   return read_job(job_options);
 }
@@ -149,11 +163,12 @@ ExitCode check_command(const CheckOptions& options) {
   if (options.input.empty())
     throw UsageError("give a surface, a job file, or --store DIR", "check");
   const JobInput input = input_of(options);
-  const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
+  const SurfaceMesh surface = read_surface_of_job(input.job, input.surface, input.path);
   const CheckedSurface checked = check_surface_of_job(input.job, surface);
   const bool is_sound = checked.report.defects.empty();
   Json json = report_json(surface, checked.report);
-  if (!options.json) print_report(surface, checked.report);
+  put_lengths(input.job, json);
+  if (!options.json) print_report(input.job, surface, checked.report);
   if (is_sound) {
     const Estimate coming = estimate(input.job, checked);
     const std::vector<std::string> remarks = remarks_on(input.job, checked.report, coming);

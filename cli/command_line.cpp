@@ -78,6 +78,31 @@ CLI::Option* add_patch_types(CLI::App& app, std::vector<std::string>& types) {
       ->option_text("PATCH,...=TYPE");
 }
 
+CLI::Option* add_patch_sizes(CLI::App& app, std::vector<std::string>& sizes) {
+  return app
+      .add_option("--patch-size", sizes,
+                  "Target edge length at patches, such as 'wing_*,tip=0.01', or =0.01:0.2 with the "
+                  "growth away from them (default --growth); may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("PATCH,...=H[:G]");
+}
+
+/// What the coordinates of the surface are multiplied by, in two ways.
+template <class Options>
+std::array<CLI::Option*, 2> add_scale(CLI::App& app, Options& options) {
+  CLI::Option* scale =
+      app.add_option("--scale", options.scale,
+                     "Multiply the surface's coordinates by this; all lengths are of the result")
+          ->check(positive_number())
+          ->option_text("F");
+  return {scale, app.add_option("--unit", options.unit,
+                                "The unit of the surface's file: the job, and the mesh, are in "
+                                "metres then")
+                     ->check(suggested(length_units()))
+                     ->excludes(scale)
+                     ->option_text("mm|cm|in|...")};
+}
+
 /// What says how long edges are in place of `size`.
 std::array<CLI::Option*, 3> add_wave(CLI::App& app, WaveOptions& wave, CLI::Option& size) {
   return {app.add_option("--frequency", wave.frequency,
@@ -100,18 +125,22 @@ std::array<CLI::Option*, 3> add_wave(CLI::App& app, WaveOptions& wave, CLI::Opti
 
 /// How large the domain is and how fine.
 template <class Options>
-std::array<CLI::Option*, 10> add_domain(CLI::App& app, Options& job) {
+std::array<CLI::Option*, 13> add_domain(CLI::App& app, Options& job) {
   CLI::Option* size = app.add_option("--size", job.size,
                                      "Target edge length away from the surface, and largest on an "
                                      "outer boundary")
                           ->check(positive_number())
                           ->option_text("H");
   const std::array<CLI::Option*, 3> wave = add_wave(app, job.wave, *size);
+  const std::array<CLI::Option*, 2> scale = add_scale(app, job);
   return {
       size,
       wave[0],
       wave[1],
       wave[2],
+      scale[0],
+      scale[1],
+      add_patch_sizes(app, job.patch_sizes),
       app.add_option("--growth", job.growth,
                      "Growth of the edge length per unit of distance (default 0.3)")
           ->check(positive_number())
@@ -302,7 +331,7 @@ class Parser {
         add("check", "Check whether a surface can be meshed, and show what is wrong where",
             "tetfarm check wing.stl", check_);
     CLI::Option* input = sub.add_option("INPUT", check_.input, "A surface or a job file (.toml)");
-    const std::array<CLI::Option*, 10> domain = add_domain(sub, check_);
+    const std::array<CLI::Option*, 13> domain = add_domain(sub, check_);
     CLI::Option* layers = add_layers(sub, check_.layers, ": shows what they come to");
     CLI::Option* pml = add_pml(sub, check_.pml);
     CLI::Option* patch_types = add_patch_types(sub, check_.patch_types);
@@ -363,6 +392,7 @@ class Parser {
                    "The job file; - is standard output (default NAME.toml)")
         ->option_text("FILE");
     sub.add_flag("--force", init_.force, "Replace a file that exists");
+    add_scale(sub, init_);
   }
 
   void add_quality() {
@@ -439,6 +469,7 @@ class Parser {
             ->check(positive_number())
             ->option_text("H");
     add_wave(sub, surface_.wave, *size);
+    add_patch_sizes(sub, surface_.patch_sizes);
     sub.add_option("--min-size", surface_.min_size,
                    "Shortest edge that curvature and narrow places may ask for (default H/16)")
         ->check(positive_number())

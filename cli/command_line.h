@@ -42,6 +42,9 @@ struct RunOptions {
   std::vector<std::string> layers;       ///< each "PATCH,...:KEY=VALUE,..."
   std::string pml;                       ///< the same, or "PATCH,..."; "": as the job file says
   std::vector<std::string> patch_types;  ///< each "PATCH,...=TYPE"
+  std::vector<std::string> patch_sizes;  ///< each "PATCH,...=SIZE[:GROWTH]"
+  std::optional<double> scale;           ///< of the surface's coordinates
+  std::string unit;                      ///< in place of `scale`: of the surface, "mm"
   std::optional<std::int64_t> max_elements;
   bool force = false;  ///< any number of elements, whatever the disk holds
   std::vector<std::string> formats;
@@ -69,6 +72,9 @@ struct CheckOptions {
   std::vector<std::string> layers;
   std::string pml;
   std::vector<std::string> patch_types;
+  std::vector<std::string> patch_sizes;
+  std::optional<double> scale;
+  std::string unit;
   std::string defects_file;  ///< a file or a folder; "": NAME.defects.vtp here
   std::string store;         ///< instead of an input: a store or the folder of a run
   std::string database;      ///< of the store: the folder of its database, "": the store
@@ -135,8 +141,10 @@ struct ConvertCommand {
 /// A job file for a surface.
 struct InitCommand {
   std::string surface;
-  std::string output;  ///< "": NAME.toml here; "-": standard output
-  bool force = false;  ///< replaces a file
+  std::string output;           ///< "": NAME.toml here; "-": standard output
+  bool force = false;           ///< replaces a file
+  std::optional<double> scale;  ///< this and the next: as of RunOptions
+  std::string unit;
 };
 
 /// A surface remeshed.
@@ -155,6 +163,7 @@ struct SurfaceCommand {
   bool heal_only = false;     ///< and does no more
   double heal_tolerance = 0;  ///< this and the next: as of HealOptions
   double largest_hole = 0;
+  std::vector<std::string> patch_sizes;  ///< as of RunOptions
   bool json = false;
 };
 

@@ -19,6 +19,8 @@ JobInput input_of(const InitCommand& command) {
   }
   RunOptions options;
   options.input = command.surface;
+  options.scale = command.scale;
+  options.unit = command.unit;
   return read_job(options);
 }
 

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "base/error.h"
 #include "base/error_with_help.h"
@@ -10,6 +11,7 @@
 #include "base/hash.h"
 #include "base/job_name.h"
 #include "cli/output_formats.h"
+#include "cli/unit_options.h"
 #include "cli/wave_options.h"
 #include "mesh/formats/flite/read_flite_sources.h"
 #include "mesh/formats/surfaces/read_surface.h"
@@ -20,8 +22,10 @@
 #include "worker/checked_input.h"
 #include "worker/job_domain.h"
 #include "worker/job_layers.h"
+#include "worker/job_patch_sizes.h"
 #include "worker/job_patch_types.h"
 #include "worker/job_pml.h"
+#include "worker/job_surface.h"
 #include "worker/patch_globs.h"
 
 namespace tetfarm {
@@ -93,15 +97,6 @@ void set_layers(JobFile& job, const std::vector<std::string>& typed) {
   for (const std::string& text : typed) job.layers.push_back(parse_layers_option(text));
 }
 
-void set_patch_types(JobFile& job, const std::vector<std::string>& typed) {
-  if (typed.empty()) return;
-  job.patches.clear();
-  for (const std::string& text : typed) {
-    const std::vector<JobPatch> patches = parse_patch_type_option(text);
-    job.patches.insert(job.patches.end(), patches.begin(), patches.end());
-  }
-}
-
 /// @pre all else of the job is set.
 void set_symmetry(JobFile& job, const std::string& typed) {
   if (!typed.empty()) {
@@ -121,6 +116,7 @@ void require_patches(const JobFile& job, const SurfaceMesh& surface) {
   if (job.layers.empty() && !job.pml && job.patches.empty()) return;
   OuterBoundary outer = outer_boundary_to_add(job);
   outer.is_sketch = true;
+  require_patch_sizes(job, own_patch_names(job, surface));
   const SurfaceMesh domain = add_outer_boundary(surface, outer, job.growth);
   require_patch_types(job, patch_names_of(domain));
   layer_requests_of(job, domain);
@@ -178,6 +174,7 @@ JobInput describe_job(const RunOptions& options) {
   if (job.subdomains > 0 && job.subdomains < job.groups) {
     throw UsageError("must not be more than the number of sub-domains", "--groups");
   }
+  set_scale(job, options.scale, options.unit);
   set_size(job, options);
   if (options.growth) job.growth = *options.growth;
   set_remeshing(job, options);
@@ -185,7 +182,8 @@ JobInput describe_job(const RunOptions& options) {
   if (options.outer_size) set_outer_size(job, *options.outer_size);
   require_within_wave(job);
   set_layers(job, options.layers);
-  set_patch_types(job, options.patch_types);
+  job.patches =
+      patches_of_options(options.patch_types, options.patch_sizes, std::move(job.patches));
   if (!options.pml.empty()) job.pml = parse_pml_option(options.pml);
   set_symmetry(job, options.symmetry);
   if (options.max_elements) job.max_elements = *options.max_elements;
@@ -224,14 +222,14 @@ void check_submittable(const JobInput& input) {
 }
 
 void require_readable(const JobInput& input) {
-  const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
+  const SurfaceMesh surface = read_surface_of_job(input.job, input.surface, input.path);
   require_patches(input.job,
                   input.job.symmetry ? check_surface_of_job(input.job, surface).surface : surface);
 }
 
 void require_meshable(const JobInput& input) {
   const CheckedSurface checked =
-      check_surface_of_job(input.job, read_surface_bytes(input.surface, input.path));
+      check_surface_of_job(input.job, read_surface_of_job(input.job, input.surface, input.path));
   if (!checked.report.defects.empty()) {
     throw Error(ExitCode::bad_geometry, input.path + ": " + defects_text(checked.report.defects));
   }

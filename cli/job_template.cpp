@@ -56,6 +56,14 @@ std::string remarks(const std::string& words) {
   return text + line + "\n";
 }
 
+std::string about_lengths(const ProposedJob& proposed) {
+  if (!proposed.unit.empty()) {
+    return "Lengths are in metres; the surface's file is in " + proposed.unit + ".";
+  }
+  if (proposed.scale == 1) return "Lengths are in the unit of the surface.";
+  return "Lengths are those of the surface's file times " + toml_number(proposed.scale) + ".";
+}
+
 std::string about_file(const ProposedJob& proposed, const std::string& file) {
   return remark_line("Job file of " + printable(proposed.surface) +
                      ", written by `tetfarm init`. It can be used as it is:") +
@@ -67,7 +75,8 @@ std::string about_file(const ProposedJob& proposed, const std::string& file) {
              "that are not in force: take the # away to use one, and from the settings right above "
              "and below it, which belong to it. Where a second # is left, the setting is optional. "
              "Each shows the value that counts without it, or an example where there is none. All "
-             "keys are in docs/job_file.md. Lengths are in the unit of the surface.");
+             "keys are in docs/job_file.md. " +
+             about_lengths(proposed));
 }
 
 std::string patch_line(const ProposedPatch& patch) {
@@ -115,11 +124,16 @@ std::string about_surface(const ProposedJob& proposed) {
                      " elements.");
 }
 
+std::string scale_setting(const ProposedJob& proposed) {
+  if (!proposed.unit.empty()) return "unit = " + quoted_toml(proposed.unit) + "\n";
+  return proposed.scale == 1 ? "" : "scale = " + toml_number(proposed.scale) + "\n";
+}
+
 std::string geometry_section(const ProposedJob& proposed) {
   const bool has_name = problem_with_job_name(proposed.name).empty();
   return "\nversion = 1\n" + (has_name ? "name = " + quoted_toml(proposed.name) + "\n" : "") +
          "\n[geometry]\n" + remarks("A relative path starts at this file's folder.") +
-         "surface = " + quoted_toml(proposed.surface) + "\n";
+         "surface = " + quoted_toml(proposed.surface) + "\n" + scale_setting(proposed);
 }
 
 std::string surface_section(const ProposedJob& proposed) {
@@ -170,7 +184,10 @@ std::string spacing_section(const ProposedJob& proposed) {
          "#default = " + rounded_length(longest) + "\n" +
          remarks(
              "In place of `default`, for waves: so many edges to a wavelength. The speed is that "
-             "of light in metres per second; a surface in millimetres needs 1000 times as much.") +
+             "of light in metres per second" +
+             std::string(proposed.unit.empty()
+                             ? "; a surface in millimetres needs 1000 times as much."
+                             : ".")) +
          "#frequency = " + frequency_for(longest) + "\n##wave_speed = " + toml_number(wave.speed) +
          "\n##per_wavelength = " + toml_number(wave.per_wavelength) + "\n" +
          remarks("\"ignore\": only `default` and the sources count, not the surface's own edges.") +
@@ -236,6 +253,19 @@ std::string layers_example(const ProposedJob& proposed) {
          "\n##count = 10\n##fan_angle = " + toml_number(defaults.fan_angle) + "\n";
 }
 
+/// Of the finest patch with a name that means itself.
+std::string patch_example(const ProposedJob& proposed) {
+  const std::vector<ProposedPatch> fine = patches_for_layers(proposed);
+  if (fine.empty()) return "";
+  const ProposedPatch& patch = fine.front();
+  return "\n" +
+         remarks(
+             "What a patch is to a solver, and how long edges are at it, growing away from it. "
+             "There may be one of these for each patch, or for several (* stands for any text).") +
+         "#[patch." + quoted_toml(patch.name) +
+         "]\n#type = \"wall\"\n##size = " + rounded_length(patch.median_edge / 2) + "\n";
+}
+
 std::string decompose_section(const ProposedJob& proposed) {
   return "\n[decompose]\n" +
          remarks("Into how many sub-domains the domain is cut, which workers mesh side by side.") +
@@ -271,8 +301,9 @@ std::string job_template(const ProposedJob& proposed, const std::string& file) {
   }
   return about_file(proposed, printable(file)) + about_surface(proposed) +
          geometry_section(proposed) + surface_section(proposed) + domain_section(proposed) +
-         spacing_section(proposed) + source_example(proposed) + layers_example(proposed) +
-         decompose_section(proposed) + quality_section() + output_section();
+         spacing_section(proposed) + source_example(proposed) + patch_example(proposed) +
+         layers_example(proposed) + decompose_section(proposed) + quality_section() +
+         output_section();
 }
 
 }  // namespace tetfarm

@@ -13,12 +13,12 @@
 #include "cli/layers_report.h"
 #include "cli/progress_display.h"
 #include "cli/seen_times.h"
+#include "cli/unit_options.h"
 #include "cli/wave_options.h"
 #include "json/json_line.h"
 #include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/decomposition_plan.h"
 #include "mesh/decompose/planar_cut.h"
-#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/defect_text.h"
 #include "store/disk_room.h"
 #include "tasks/task_kind.h"
@@ -27,6 +27,7 @@
 #include "worker/job_domain.h"
 #include "worker/job_layers.h"
 #include "worker/job_remeshing.h"
+#include "worker/job_surface.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -55,7 +56,7 @@ struct Plan {
 
 Plan make_plan(const JobInput& input) {
   const CheckedSurface checked =
-      check_surface_of_job(input.job, read_surface_bytes(input.surface, input.path));
+      check_surface_of_job(input.job, read_surface_of_job(input.job, input.surface, input.path));
   if (!checked.report.defects.empty()) {
     throw Error(ExitCode::bad_geometry, input.path + ": " + defects_text(checked.report.defects));
   }
@@ -240,6 +241,7 @@ void print_json(const JobInput& input, const Plan& plan) {
   const std::vector<KindCost> kinds = cost_of_kinds(plan);
   put(sum_of(kinds), json);
   json["learnt_from_tasks"] = plan.times.learnt();
+  put_lengths(input.job, json);
   put_wave(plan.wave, json);
   if (!plan.layers.empty()) json["layers"] = layers_json(plan.layers);
   if (plan.pml) json["pml"] = pml_json(*plan.pml);
@@ -281,7 +283,7 @@ void print_tree(const Plan& plan) {
   }
 }
 
-void print_text(const Plan& plan, const std::string& store) {
+void print_text(const JobFile& job, const Plan& plan, const std::string& store) {
   print_tree(plan);
   std::printf("\n%-12s %8s %16s %12s   %s\n", "tasks", "number", "MB, at most", "seconds", "range");
   const std::vector<KindCost> kinds = cost_of_kinds(plan);
@@ -294,6 +296,8 @@ void print_text(const Plan& plan, const std::string& store) {
   }
   if (plan.pml) std::printf("\npml on %s", pml_text(*plan.pml).c_str());
   if (!plan.layers.empty() || plan.pml) std::printf("\n");
+  const std::string lengths = lengths_text(job);
+  if (!lengths.empty()) std::printf("\nlengths %s\n", lengths.c_str());
   if (plan.wave) std::printf("\nsize %s\n", wave_size_text(*plan.wave).c_str());
   if (!plan.remark.empty()) std::printf("%s\n", plan.remark.c_str());
   const SecondsRange sum = sum_of(kinds);
@@ -336,7 +340,7 @@ ExitCode plan_command(const PlanCommand& command) {
   if (command.job.json) {
     print_json(input, plan);
   } else {
-    print_text(plan, command.job.store);
+    print_text(input.job, plan, command.job.store);
   }
   warn_of_small_disk(plan, command.job.output);
   return ExitCode::ok;

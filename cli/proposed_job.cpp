@@ -5,12 +5,12 @@
 
 #include "base/error.h"
 #include "mesh/core/surface_mesh.h"
-#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/defect_text.h"
 #include "worker/checked_input.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
 #include "worker/job_remeshing.h"
+#include "worker/job_surface.h"
 
 namespace tetfarm {
 namespace {
@@ -73,13 +73,15 @@ void measure_box(const JobInput& input, const SurfaceMesh& surface, ProposedJob&
 }  // namespace
 
 ProposedJob propose_job(const JobInput& input) {
-  const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
+  const SurfaceMesh surface = read_surface_of_job(input.job, input.surface, input.path);
   JobInput any{input.job, input.path, {}};
   any.job.max_elements = 0;  // the file says how many are too many
   const CheckedSurface checked = checked_surface(any, surface);
   ProposedJob proposed;
   proposed.name = input.job.name;
   proposed.surface = input.path;
+  proposed.scale = input.job.scale;
+  proposed.unit = input.job.unit;
   proposed.triangles = static_cast<std::int64_t>(surface.triangles.size());
   proposed.box = bounding_box(checked.surface.vertices);
   proposed.report = checked.report;

@@ -1,7 +1,7 @@
 /// What a job of a surface is like that says nothing more: for the job file that `init` writes.
 ///
 /// All numbers are those that the job takes by itself, as `plan` and `run` find them. Lengths in
-/// the unit of the surface.
+/// the unit of the job.
 #pragma once
 
 #include <cstdint>
@@ -33,11 +33,13 @@ struct ProposedJob {
   double elements_in_box = 0;  ///< the same of the space round it, in a box by default
   double edge_of_box = 0;      ///< the longest on that box
   RemeshOptions remeshing;     ///< where the job says no more than that it remeshes
+  double scale = 1;            ///< this and the next: as of JobFile
+  std::string unit;
 };
 
-/// @param input of a surface, without options. @throws Error (bad_geometry) when it cannot be
-/// meshed, UsageError as domain_of_job does, InvalidInput. Cost: that of two checks of the surface
-/// and of two fields of spacing.
+/// @param input of a surface, without options but for its unit. @throws Error (bad_geometry) when
+/// it cannot be meshed, UsageError as domain_of_job does, InvalidInput. Cost: that of two checks of
+/// the surface and of two fields of spacing.
 ProposedJob propose_job(const JobInput& input);
 
 }  // namespace tetfarm

@@ -9,6 +9,7 @@
 #include "cli/job_outcome.h"
 #include "cli/local_job.h"
 #include "cli/typed_names.h"
+#include "cli/unit_options.h"
 #include "cli/wave_options.h"
 
 namespace tetfarm {
@@ -19,6 +20,7 @@ ExitCode run_command(const RunOptions& options) {
   const JobInput input = read_job(options);
   check_submittable(input);
   require_readable(input);
+  tell_lengths(input.job, options.progress);
   tell_wave(input.job, options.progress);
   const std::filesystem::path folder = std::filesystem::absolute(options.output);
   const std::filesystem::path store = folder / ".tetfarm";

@@ -26,6 +26,7 @@
 #include "cli/progress_display.h"
 #include "cli/progress_lines.h"
 #include "cli/service_options.h"
+#include "cli/unit_options.h"
 #include "cli/wave_options.h"
 #include "coordinator/log_lines.h"
 #include "coordinator/server.h"
@@ -146,6 +147,9 @@ std::string option_of_surfaces(const SubmitCommand& command) {
       {!job.layers.empty(), "--layers"},
       {!job.pml.empty(), "--pml"},
       {!job.patch_types.empty(), "--patch-type"},
+      {!job.patch_sizes.empty(), "--patch-size"},
+      {job.scale.has_value(), "--scale"},
+      {!job.unit.empty(), "--unit"},
       {job.max_elements.has_value(), "--max-elements"},
       {job.force, "--force"},
       {!job.formats.empty(), "--format"},
@@ -199,6 +203,7 @@ ExitCode submit_command(const SubmitCommand& command) {
   if (is_loop_file(command.job.input)) return submit_loop(command);
   const ClientOptions& client = command.client;
   const JobInput input = job_to_submit(command);
+  tell_lengths(input.job, client.progress);
   tell_wave(input.job, client.progress);
   CoordinatorConnection connection = connect(client, command.job.store);
   expect_jobs_before(command, connection);

@@ -10,15 +10,16 @@
 #include "cli/healing_report.h"
 #include "cli/job_input.h"
 #include "cli/place_text.h"
+#include "cli/unit_options.h"
 #include "cli/wave_options.h"
 #include "json/json_line.h"
-#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/formats/surfaces/write_surface.h"
 #include "mesh/healing/write_acts_vtp.h"
 #include "mesh/inspect/surface_check.h"
 #include "mesh/remeshing/remeshing_figures.h"
 #include "worker/checked_input.h"
 #include "worker/job_remeshing.h"
+#include "worker/job_surface.h"
 
 namespace tetfarm {
 namespace {
@@ -42,6 +43,7 @@ JobRemeshing remeshing_of(const SurfaceCommand& command, const JobFile& job) {
 JobInput input_of(const SurfaceCommand& command) {
   RunOptions options;
   options.input = command.input;
+  options.patch_sizes = command.patch_sizes;
   if (command.growth > 0) options.growth = command.growth;
   JobInput input = read_job(options);
   if (command.size > 0) {
@@ -172,7 +174,7 @@ ExitCode write_mended(const SurfaceCommand& command, const HealedSurface& healed
 ExitCode surface_command(const SurfaceCommand& command) {
   const JobInput input = input_of(command);
   const std::string output = output_of(command, input);
-  const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
+  const SurfaceMesh surface = read_surface_of_job(input.job, input.surface, input.path);
   std::optional<HealedSurface> healed;
   if (command.heal || command.heal_only) healed = mended(command, input, surface, output);
   if (command.heal_only) return write_mended(command, *healed, surface, output);
@@ -184,9 +186,12 @@ ExitCode surface_command(const SurfaceCommand& command) {
   const RemeshingFigures figures =
       remeshing_figures(checked.surface, remeshed.made, remeshed.spacing);
   const std::optional<WaveSize> wave = wave_on_surface(input.job);
+  const std::string lengths = lengths_text(input.job);
+  if (!lengths.empty() && !command.json) std::printf("lengths         %s\n", lengths.c_str());
   if (wave && !command.json) std::printf("size            %s\n", wave_size_text(*wave).c_str());
   if (!command.json) print_figures(figures, output);
   Json json = figures_json(figures, output);
+  put_lengths(input.job, json);
   put_wave(wave, json);
   if (healed) json["healing"] = healing_json(*healed);
   tell_programs(command, json);

@@ -12,10 +12,7 @@ TypedPatches::TypedPatches(std::unique_ptr<MeshSource> source,
                            const std::vector<std::string>& typed)
     : source_(std::move(source)) {
   JobFile job;
-  for (const std::string& text : typed) {
-    const std::vector<JobPatch> patches = parse_patch_type_option(text);
-    job.patches.insert(job.patches.end(), patches.begin(), patches.end());
-  }
+  job.patches = patches_of_options(typed);
   const std::vector<std::string> names = source_->patch_names();
   if (names.empty()) throw UsageError("the mesh has no names of patches", "--patch-type");
   require_patch_types(job, names);

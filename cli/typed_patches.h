@@ -12,7 +12,7 @@ namespace tetfarm {
 class TypedPatches final : public MeshSource {
  public:
   /// Patches that are not named have the type that the file has for them.
-  /// @param typed each "PATCH,...=TYPE". @throws UsageError as parse_patch_type_option and
+  /// @param typed each "PATCH,...=TYPE". @throws UsageError as patches_of_options and
   /// require_patch_types do, and when the file does not name its patches.
   TypedPatches(std::unique_ptr<MeshSource> source, const std::vector<std::string>& typed);
 

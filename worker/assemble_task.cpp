@@ -124,9 +124,10 @@ class ResultFiles {
     } else {
       ugrid_path_ = io_.scratch_path("mesh." + format);
       ugrid_ = write_ugrid(ugrid_path_, numbering_, meshed_sides(surface_));
+      const std::vector<PatchType> types = patch_types_of(job_, surface_.patch_names);
       io_.publish(file_name_of_job(job_.name, ".mapbc"),
-                  mapbc_text(surface_.patch_names, patch_types_of(job_, surface_.patch_names),
-                             patch_boxes(surface_)));
+                  mapbc_text(surface_.patch_names, types,
+                             wants_boxes(types) ? patch_boxes(surface_) : std::vector<Box3>()));
     }
   }
 

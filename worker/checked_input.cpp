@@ -1,5 +1,6 @@
 #include "worker/checked_input.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -7,12 +8,14 @@
 #include "base/job_name.h"
 #include "mesh/core/complaints.h"
 #include "mesh/formats/gzip.h"
-#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/half_body/close_half_body.h"
 #include "mesh/inspect/defect_text.h"
 #include "mesh/spacing/spacing_field.h"
 #include "worker/evidence.h"
 #include "worker/job_domain.h"
+#include "worker/job_patch_sizes.h"
+#include "worker/job_surface.h"
+#include "worker/patch_globs.h"
 
 namespace tetfarm {
 namespace {
@@ -29,7 +32,7 @@ struct InputSurface {
 
 InputSurface read_input(const TaskIo& io, const JobFile& job, const TaskFile& file) {
   const std::string bytes = io.read(file, unpacked);
-  return {read_surface_bytes(bytes, job.surface), static_cast<double>(bytes.size())};
+  return {read_surface_of_job(job, bytes, job.surface), static_cast<double>(bytes.size())};
 }
 
 CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const SurfaceMesh& surface) {
@@ -39,6 +42,17 @@ CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const SurfaceMesh
   const std::string defects = defects_as_vtp(io, checked.surface, checked.report.defects);
   throw RefusedInput(defects_text(checked.report.defects),
                      {{file_name_of_job(job.name, ".defects.vtp"), defects}});
+}
+
+/// Of half a body, with its outer boundary but without the plane that closes it.
+SpacingOptions options_of_open(const JobFile& job, const SurfaceMesh& open) {
+  JobFile without_plane = job;
+  without_plane.symmetry.reset();
+  std::vector<std::string> own = patch_names_of(open);
+  own.resize(own.size() - std::min(added_patches(without_plane), own.size()));
+  SpacingOptions options = spacing_options_of(job);
+  options.triangles = patch_demands(job, open, own);
+  return options;
 }
 
 }  // namespace
@@ -56,7 +70,7 @@ CheckedSurface check_surface_of_job(const JobFile& job, const SurfaceMesh& surfa
   if (!job.symmetry) return check_surface(surface, region_rules_of(job));
   const auto make_spacing = [&job](const SurfaceMesh& open) {
     const auto field =
-        std::make_shared<SpacingField>(make_spacing_field(open, spacing_options_of(job)));
+        std::make_shared<SpacingField>(make_spacing_field(open, options_of_open(job, open)));
     return [field](const Vec3& place) { return field->at(place); };
   };
   const ClosedHalfBody closed =

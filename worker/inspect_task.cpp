@@ -141,6 +141,8 @@ JobFile mesh_settings_of(const JobFile& job) {
   settings.patches = defaults.patches;
   settings.symmetry = defaults.symmetry;
   settings.pml = defaults.pml;
+  settings.scale = defaults.scale;
+  settings.unit = defaults.unit;
   return settings;
 }
 

@@ -11,14 +11,15 @@
 #include "mesh/inspect/region_map.h"
 #include "mesh/layers/unlayered_domain.h"
 #include "worker/job_layers.h"
+#include "worker/job_patch_sizes.h"
 #include "worker/job_patch_types.h"
 #include "worker/patch_globs.h"
 
 namespace tetfarm {
 namespace {
 
-JobDomain domain_inside(SurfaceMesh surface, const JobFile& job) {
-  SpacingField spacing = make_spacing_field(surface, spacing_options_of(job));
+JobDomain domain_inside(SurfaceMesh surface, const SpacingOptions& options) {
+  SpacingField spacing = make_spacing_field(surface, options);
   Subdomain root = root_subdomain(surface);
   const double elements = estimated_elements(root, spacing);
   const double volume = domain_volume(surface);
@@ -28,7 +29,8 @@ JobDomain domain_inside(SurfaceMesh surface, const JobFile& job) {
 JobDomain sketched_domain(const JobFile& job, const SurfaceMesh& checked) {
   OuterBoundary outer = outer_boundary_to_add(job);
   outer.is_sketch = true;
-  return domain_inside(add_outer_boundary(checked, outer, job.growth), job);
+  return domain_inside(add_outer_boundary(checked, outer, job.growth),
+                       spacing_options_of(job, checked));
 }
 
 }  // namespace
@@ -97,6 +99,14 @@ SpacingOptions spacing_options_of(const JobFile& job) {
   return options;
 }
 
+SpacingOptions spacing_options_of(const JobFile& job, const SurfaceMesh& checked) {
+  SpacingOptions options = spacing_options_of(job);
+  if (!job.patches.empty()) {
+    options.triangles = patch_demands(job, checked, own_patch_names(job, checked));
+  }
+  return options;
+}
+
 JobLimits limits_of_job(const JobFile& job, const SurfaceMesh& checked, double volume,
                         double free_bytes) {
   const auto elements_with = [&job, &checked](double size) {
@@ -117,7 +127,7 @@ JobDomain domain_without_layers(const JobFile& job, const SurfaceMesh& checked) 
   if (outer.kind == OuterBoundary::Kind::none) return sketch;
   SurfaceMesh surface = add_outer_boundary(checked, outer, job.growth);
   if (surface.triangles.size() == sketch.surface.triangles.size()) return sketch;
-  return domain_inside(std::move(surface), job);
+  return domain_inside(std::move(surface), spacing_options_of(job, checked));
 }
 
 /// Layers grow behind the triangles of a surface that bounds one region.
@@ -172,9 +182,9 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
   const std::vector<WallLayers> walls = wall_layers(plan, surface);
   layers.coverage = coverage_without(pml_patches, surface, walls);
   if (!job.layers.empty()) layers.map = layer_map_vtp(walls, plan, surface);
-  std::optional<PlaneRetreat> retreat = retreat_planes(surface, plan, [&job](const auto& round) {
-    const auto field =
-        std::make_shared<SpacingField>(make_spacing_field(round, spacing_options_of(job)));
+  const SpacingOptions options = spacing_options_of(job, checked);
+  std::optional<PlaneRetreat> retreat = retreat_planes(surface, plan, [&](const auto& round) {
+    const auto field = std::make_shared<SpacingField>(make_spacing_field(round, options));
     return [field](const Vec3& place) { return field->at(place); };
   });
   if (retreat) {
@@ -190,7 +200,7 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
     layers.top_heights = top_heights(plan, surface, rest);
     domain.root = std::move(rest.root);
     const SurfaceMesh boundary{domain.root.vertices, domain.root.triangles, {}, {}, {}, {}};
-    domain.spacing = make_spacing_field(boundary, spacing_options_of(job));
+    domain.spacing = make_spacing_field(boundary, options);
     domain.elements = estimated_elements(domain.root, domain.spacing);
   }
   domain.layers = std::move(layers);
@@ -199,6 +209,7 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
 }  // namespace
 
 JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked) {
+  require_patch_sizes(job, own_patch_names(job, checked));
   JobDomain domain = domain_without_layers(job, checked);
   require_patch_types(job, patch_names_of(domain.surface));
   if (job.layers.empty() && !job.pml) return domain;

@@ -64,13 +64,16 @@ void add_layers(const DomainLayers& layers, JobForecast& forecast);
 OuterBoundary outer_boundary_of(const JobFile& job);
 /// The same of a checked surface, which has it already where the job has a plane of symmetry.
 OuterBoundary outer_boundary_to_add(const JobFile& job);
+/// But for what its patches ask for.
 SpacingOptions spacing_options_of(const JobFile& job);
+/// All of it. @param checked the surface of check_surface_of_job, or what it is remeshed to.
+SpacingOptions spacing_options_of(const JobFile& job, const SurfaceMesh& checked);
 
 /// @pre `checked` is a surface without defects. @throws UsageError when it would have more elements
 /// than the job may have, when layers are to grow in several regions, or as add_outer_boundary and
-/// layer_requests_of and pml_block_of do; InvalidInput as make_spacing_field does.
-/// Cost: that of the spacing field, twice when the outer boundary is large, once more with layers,
-/// and theirs (plan_layers); nine times as much when the job is refused.
+/// layer_requests_of, pml_block_of and require_patch_sizes do; InvalidInput as make_spacing_field
+/// does. Cost: that of the spacing field, twice when the outer boundary is large, once more with
+/// layers, and theirs (plan_layers); nine times as much when the job is refused.
 JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked);
 
 /// For require_disk: the domain's volume, and what a coarser job would come to.

@@ -7,6 +7,7 @@
 #include "mesh/remeshing/surface_features.h"
 #include "worker/checked_input.h"
 #include "worker/job_domain.h"
+#include "worker/job_patch_sizes.h"
 
 namespace tetfarm {
 namespace {
@@ -26,14 +27,16 @@ CheckedSurface checked_anew(const JobFile& job, const SurfaceMesh& made) {
 
 RemeshOptions remesh_options_of(const JobFile& job, const SurfaceMesh& surface) {
   TF_CHECK(job.remeshing.has_value());
-  const SpacingOptions spacing = spacing_options_of(job);
+  require_patch_sizes(job, own_patch_names(job, surface));
+  SpacingOptions spacing = spacing_options_of(job, surface);
   RemeshOptions options;
   options.size = job.remeshing->size > 0 ? job.remeshing->size : spacing.background;
   options.min_size = job.remeshing->min_size;
   options.angle_deg = job.remeshing->angle;
   options.tolerance = job.remeshing->tolerance;
   options.growth = spacing.growth;
-  options.sources = spacing.sources;
+  options.sources = std::move(spacing.sources);
+  options.triangles = std::move(spacing.triangles);
   return with_defaults(std::move(options), surface);
 }
 

@@ -60,9 +60,25 @@ std::vector<std::string> patch_names_of(const SurfaceMesh& surface) {
   return {std::string(unnamed_patch)};
 }
 
+std::size_t added_patches(const JobFile& job) {
+  return (job.outer_kind != "none" ? 1U : 0U) + (job.symmetry ? 1U : 0U);
+}
+
+std::vector<const JobPatch*> tables_that_match(const std::vector<JobPatch>& tables,
+                                               std::string_view name,
+                                               const std::function<bool(const JobPatch&)>& counts) {
+  std::vector<const JobPatch*> matching;
+  for (const JobPatch& table : tables) {
+    if (!counts(table)) continue;
+    if (table.glob == name) return {&table};
+    if (matches_glob(table.glob, name)) matching.push_back(&table);
+  }
+  return matching;
+}
+
 std::span<const std::string> names_on_offer(const JobFile& job, std::span<const std::string> all,
                                             std::string_view glob) {
-  const std::size_t added = (job.outer_kind != "none" ? 1U : 0U) + (job.symmetry ? 1U : 0U);
+  const std::size_t added = added_patches(job);
   const bool is_for_added =
       glob.starts_with("outer") || (job.symmetry && glob.starts_with("symmetry"));
   return all.first(all.size() - (is_for_added ? 0 : std::min(added, all.size())));

@@ -2,6 +2,8 @@
 /// them.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +23,15 @@ bool matches_glob(std::string_view glob, std::string_view text);
 
 /// A surface without patches has one, which is called "surface".
 std::vector<std::string> patch_names_of(const SurfaceMesh& surface);
+
+/// How many patches the job adds behind those of its surface: an outer boundary, then the plane
+/// that it closes half a body with.
+std::size_t added_patches(const JobFile& job);
+
+/// Of the tables that count, the one with the patch's very name, else all whose patterns match it.
+std::vector<const JobPatch*> tables_that_match(const std::vector<JobPatch>& tables,
+                                               std::string_view name,
+                                               const std::function<bool(const JobPatch&)>& counts);
 
 /// The names that a pattern may match: the outer boundary that the job puts round a body is not
 /// matched but by patterns that begin with "outer", nor the plane that it closes half a body with

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<std::string_view, 16> top_keys = {
     "version", "name",  "geometry", "surface",   "domain", "region",    "spacing", "source",
     "layers",  "patch", "pml",      "decompose", "mesh",   "cosmetics", "quality", "output"};
-constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
+constexpr std::array<std::string_view, 3> geometry_keys = {"surface", "scale", "unit"};
 constexpr std::array<std::string_view, 5> surface_keys = {"remesh", "size", "min_size", "angle",
                                                           "tolerance"};
 constexpr std::array<std::string_view, 4> domain_keys = {"outer", "factor", "spacing", "symmetry"};
@@ -196,6 +196,21 @@ void for_each_table(const JobSection& top, std::string_view key, const Visit& vi
   if (!top.has(key)) return;
   if (top.node(key).is_table()) top.fail(key, "must be written [[" + std::string(key) + "]]");
   for (const toml::node& node : top.array(key)) visit(node);
+}
+
+/// What the coordinates of the surface's file are multiplied by.
+void parse_scale(const JobSection& section, JobFile& job) {
+  if (section.has("unit")) {
+    job.unit = section.one_of("unit", length_units());
+    job.scale = metres_of(job.unit).value();
+  }
+  if (!section.has("scale")) return;
+  if (section.has("unit")) {
+    section.fail("scale",
+                 "cannot be given together with `unit`: each says what coordinates are multiplied "
+                 "by");
+  }
+  job.scale = section.positive("scale");
 }
 
 /// Faces that turn back on each other are at 180 degrees.
@@ -387,6 +402,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   const std::string surface = geometry.text("surface");
   if (surface.empty()) geometry.fail("surface", "must not be empty");
   job.surface = beside(path, surface);
+  parse_scale(geometry, job);
   parse_surface(top.table("surface", surface_keys), job);
   parse_domain(top.table("domain", domain_keys), job);
   for_each_table(top, "region", [&](const toml::node& node) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,9 +77,12 @@ struct JobPml {
 
 /// What the job says of patches by name.
 struct JobPatch {
-  std::string glob;   // a name, in which * is any text and ? any letter
-  std::string type;   // one of patch_type_words (mesh/core/patch_type.h)
-  std::string typed;  // as --patch-type, for messages; canonical text does not have it
+  std::string glob;        // a name, in which * is any text and ? any letter
+  std::string type;        // one of patch_type_words (mesh/core/patch_type.h); "": none is given
+  std::string typed;       // as --patch-type, for messages; canonical text does not have it
+  double size = 0;         // wanted edge length at it; 0: none
+  double growth = 0;       // of edges with the distance from it; 0: [spacing] growth
+  std::string typed_size;  // as --patch-size, for messages; canonical text does not have it
 };
 
 /// What the job says of the surface that is made in place of the given one, before anything else.
@@ -138,6 +142,10 @@ struct JobFile {
   std::string keep;                               // [output] keep = "needed" | "all", "": not said
   std::vector<JobPatch> patches;                  // [patch.NAME], by name
   std::optional<AxisPlane> symmetry;              // [domain] symmetry = "y=0"
+  /// [geometry] scale: the job's lengths for one of the surface's file, whose coordinates are
+  /// multiplied by it; what `unit` comes to where that is given.
+  double scale = 1;
+  std::string unit;  // [geometry] unit = "mm", of the file: the job is in metres; "": not said
 };
 
 /// Whether the files between the job's tasks stay until somebody removes them; otherwise each goes
@@ -172,6 +180,16 @@ JobPml parse_pml_option(std::string_view typed);
 /// @param typed the value of --patch-type, "wing_*,tip=wall": one for each name. @throws UsageError
 /// "--patch-type 'TYPED': …"
 std::vector<JobPatch> parse_patch_type_option(std::string_view typed);
+
+/// @param typed the value of --patch-size, "wing_*,tip=0.01" or "wing_*,tip=0.01:0.2", the growth
+/// behind the colon: one for each name. @throws UsageError "--patch-size 'TYPED': …"
+std::vector<JobPatch> parse_patch_size_option(std::string_view typed);
+
+/// The units that a surface may be in: "m", "mm", …
+std::span<const std::string_view> length_units();
+
+/// How many metres such a unit has; nothing for any other text.
+std::optional<double> metres_of(std::string_view unit);
 
 /// A relative surface path is taken from the folder of `path`; without a name, the job is named
 /// like `path` without its folder and ending.

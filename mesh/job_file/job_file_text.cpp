@@ -112,6 +112,20 @@ std::string pml_to_toml(const JobPml& pml) {
          (pml.side == JobPml{}.side ? "" : "side = " + quoted_toml(pml.side) + "\n");
 }
 
+std::string patch_to_toml(const JobPatch& patch) {
+  std::string text = "\n[patch." + quoted_toml(patch.glob) + "]\n";
+  if (!patch.type.empty()) text += "type = " + quoted_toml(patch.type) + "\n";
+  if (patch.size > 0) text += "size = " + toml_number(patch.size) + "\n";
+  if (patch.growth > 0) text += "growth = " + toml_number(patch.growth) + "\n";
+  return text;
+}
+
+/// Of [geometry], behind the surface.
+std::string scale_to_toml(const JobFile& job) {
+  if (!job.unit.empty()) return "unit = " + quoted_toml(job.unit) + "\n";
+  return job.scale == 1 ? "" : "scale = " + toml_number(job.scale) + "\n";
+}
+
 std::string remeshing_to_toml(const JobRemeshing& remeshing) {
   std::string text = "\n[surface]\nremesh = true\nangle = " + toml_number(remeshing.angle) + "\n";
   if (remeshing.size > 0) text += "size = " + toml_number(remeshing.size) + "\n";
@@ -130,6 +144,7 @@ std::string symmetry_text(const AxisPlane& plane) {
 std::string to_toml(const JobFile& job) {
   std::string text = "version = 1\nname = " + quoted_toml(job.name) +
                      "\n\n[geometry]\nsurface = " + quoted_toml(job.surface) + "\n";
+  text += scale_to_toml(job);
   if (job.remeshing) text += remeshing_to_toml(*job.remeshing);
   text += "\n[domain]\nouter = " + quoted_toml(job.outer_kind) + "\n";
   if (job.outer_kind != "none") {
@@ -148,7 +163,7 @@ std::string to_toml(const JobFile& job) {
   for (const JobSource& source : job.sources) text += source_to_toml(source);
   for (const JobLayers& layers : job.layers) text += layers_to_toml(layers);
   for (const JobPatch& patch : job.patches) {
-    text += "\n[patch." + quoted_toml(patch.glob) + "]\ntype = " + quoted_toml(patch.type) + "\n";
+    text += patch_to_toml(patch);
   }
   if (job.pml) text += pml_to_toml(*job.pml);
   text += "\n[decompose]\n";

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <system_error>
+#include <utility>
 
 #include "base/error.h"
 #include "base/utf8.h"
@@ -10,10 +15,30 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 1> keys_of_patch = {"type"};
+constexpr std::array<std::string_view, 3> keys_of_patch = {"type", "size", "growth"};
 
 constexpr std::size_t longest_glob = 255;
 constexpr std::size_t most_globs = 1000;
+
+/// Of a table that has a type, a size or both.
+JobPatch parse_patch(const std::string& glob, const JobSection& section) {
+  JobPatch patch;
+  patch.glob = glob;
+  const bool has_size = section.has("size");
+  if (section.has("growth") && !has_size) section.fail("growth", "needs `size`");
+  if (section.has("type") || !has_size) patch.type = section.one_of("type", patch_type_words);
+  if (has_size) patch.size = section.positive("size");
+  if (section.has("growth")) patch.growth = section.positive("growth");
+  return patch;
+}
+
+/// All of the text.
+std::optional<double> positive_number_of(std::string_view text) {
+  double number = 0;
+  const auto [stopped, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_whole = error == std::errc() && stopped == text.data() + text.size();
+  return is_whole && number > 0 && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
 
 std::string all_patch_types() {
   std::string text;
@@ -67,7 +92,7 @@ std::vector<JobPatch> parse_patch_tables(const JobSection& top) {
                    "` must be a table of its own: [patch.NAME], NAME being that of a patch");
     }
     const JobSection section = top.item(node, "patch." + std::string(name), keys_of_patch);
-    patches.push_back({std::string(name), section.one_of("type", patch_type_words), ""});
+    patches.push_back(parse_patch(std::string(name), section));
   }
   return patches;
 }
@@ -83,7 +108,31 @@ std::vector<JobPatch> parse_patch_type_option(std::string_view typed) {
   }
   std::vector<JobPatch> patches;
   for (std::string& glob : globs_of_option(typed.substr(0, equals), place)) {
-    patches.push_back({std::move(glob), std::string(type), std::string(typed)});
+    patches.push_back({std::move(glob), std::string(type), std::string(typed), 0, 0, {}});
+  }
+  return patches;
+}
+
+std::vector<JobPatch> parse_patch_size_option(std::string_view typed) {
+  const std::string place = "--patch-size '" + std::string(typed) + "'";
+  const std::size_t equals = typed.rfind('=');
+  if (equals == std::string_view::npos) throw UsageError("must be PATCH,...=SIZE[:GROWTH]", place);
+  const std::string_view numbers = typed.substr(equals + 1);
+  const std::size_t colon = numbers.find(':');
+  const auto size = positive_number_of(numbers.substr(0, colon));
+  if (!size) {
+    throw UsageError(
+        "\"" + std::string(numbers.substr(0, colon)) + "\" is no size: a number above 0", place);
+  }
+  std::optional<double> growth = 0;
+  if (colon != std::string_view::npos) growth = positive_number_of(numbers.substr(colon + 1));
+  if (!growth) {
+    throw UsageError(
+        "\"" + std::string(numbers.substr(colon + 1)) + "\" is no growth: a number above 0", place);
+  }
+  std::vector<JobPatch> patches;
+  for (std::string& glob : globs_of_option(typed.substr(0, equals), place)) {
+    patches.push_back({std::move(glob), {}, {}, *size, *growth, std::string(typed)});
   }
   return patches;
 }

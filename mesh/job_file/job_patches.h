@@ -1,5 +1,6 @@
 /// What a job says of its patches by name: the names in its tables, and the tables [patch.NAME].
-/// --patch-type of the command line says the same in one word (parse_patch_type_option).
+/// --patch-type and --patch-size of the command line say the same in one word each
+/// (parse_patch_type_option, parse_patch_size_option).
 #pragma once
 
 #include <string>

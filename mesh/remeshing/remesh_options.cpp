@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "mesh/spacing/sources.h"
+#include "mesh/spacing/triangle_demands.h"
 
 namespace tetfarm {
 namespace {
@@ -43,6 +44,7 @@ RemeshOptions with_defaults(RemeshOptions options, const SurfaceMesh& surface) {
     options.has_local_tolerance = true;
   }
   check_sources(options.sources);
+  check_triangle_demands(options.triangles);
   return options;
 }
 

@@ -19,6 +19,7 @@ struct RemeshOptions {
   std::vector<Source> sources;
   /// Whether small faces have a part of `tolerance` only: where that was 0.
   bool has_local_tolerance = false;
+  std::vector<TriangleDemand> triangles;  ///< grow no faster than `growth` counts
 };
 
 /// The options with every 0 replaced.

@@ -11,7 +11,10 @@ namespace tetfarm {
 RemeshingSpacing::RemeshingSpacing(double everywhere) : size_(everywhere), min_size_(everywhere) {}
 
 RemeshingSpacing::RemeshingSpacing(std::vector<PointDemand> demands, const RemeshOptions& options)
-    : size_(options.size), min_size_(options.min_size), growth_(options.growth) {
+    : size_(options.size),
+      min_size_(options.min_size),
+      growth_(options.growth),
+      triangles_(options.triangles) {
   std::erase_if(demands, [&](const PointDemand& demand) { return demand.spacing >= size_; });
   if (!demands.empty()) {
     tree_ = std::make_unique<DemandTree>(std::move(demands), growth_);
@@ -27,7 +30,7 @@ double RemeshingSpacing::at(const Vec3& point) const {
   for (const SourceDemand& source : sources_) {
     wanted = std::min(wanted, source_value(source, point, 0, size_, growth_).asked);
   }
-  wanted = std::max(wanted, min_size_);
+  wanted = triangles_.lowest(point, 0, std::max(wanted, min_size_));
   return demands_ ? demands_->lowest(point, 0, wanted) : wanted;
 }
 

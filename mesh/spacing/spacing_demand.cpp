@@ -80,6 +80,7 @@ CellDemand::Bounds CellDemand::bounds(double enough) const {
     lowest = std::min(lowest, value.floor);
   }
   lowest = points_.lowest(cell.centre, cell.half_diagonal, lowest);
+  lowest = demand_.triangles.lowest(cell.centre, cell.half_diagonal, lowest);
   return {at_centre, lowest, lowest >= demand_.ceiling};
 }
 
@@ -91,7 +92,7 @@ double CellDemand::at(const Vec3& point) const {
         source_value(demand_.sources[source], point, 0, demand_.background, demand_.growth);
     spacing = std::min(spacing, value.asked);
   }
-  return points_.lowest(point, 0, spacing);
+  return demand_.triangles.lowest(point, 0, points_.lowest(point, 0, spacing));
 }
 
 }  // namespace tetfarm

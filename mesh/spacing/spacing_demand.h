@@ -1,5 +1,5 @@
-/// The wanted spacing before it is put on an octree: the minimum of background, surface and
-/// sources, and bounds of it in a cell.
+/// The wanted spacing before it is put on an octree: the minimum of background, surface, sources
+/// and triangles, and bounds of it in a cell.
 ///
 /// Every demand grows by no more than `growth` per unit length (a source whose parameters vary: its
 /// floor), so its value at a cell's centre bounds it in the cell.
@@ -13,6 +13,7 @@
 
 #include "mesh/spacing/demand_tree.h"
 #include "mesh/spacing/sources.h"
+#include "mesh/spacing/triangle_demands.h"
 
 namespace tetfarm {
 
@@ -24,6 +25,8 @@ struct SpacingDemand {
   double growth = 0.3;
   /// The spacing where nobody asks for anything: the background, or the largest side of the domain.
   double ceiling = std::numeric_limits<double>::infinity();
+  /// None grows faster than `growth`.
+  TriangleDemandTree triangles = {};
 
   /// Whether the minimum of the demands may grow faster than `growth`.
   bool grows_too_fast() const;
@@ -58,7 +61,7 @@ class CellDemand {
 
   /// How many demands have been looked at, those of sources by what they cost: what the walk has
   /// taken so far, in units of some nanoseconds.
-  std::uint64_t looked_at() const { return looked_at_; }
+  std::uint64_t looked_at() const { return looked_at_ + demand_.triangles.looked_at(); }
 
  private:
   std::span<const std::uint32_t> sources_here() const;

@@ -123,6 +123,13 @@ void check_options(const SpacingOptions& options) {
     throw InvalidInput("the background spacing is negative", "spacing");
   }
   check_sources(options.sources);
+  check_triangle_demands(options.triangles);
+}
+
+TriangleDemandTree tree_of_triangles(const SpacingOptions& options) {
+  std::vector<TriangleDemand> demands = options.triangles;
+  for (TriangleDemand& demand : demands) demand.growth = std::min(demand.growth, options.growth);
+  return TriangleDemandTree(std::move(demands));
 }
 
 /// The spacing whose cells come out exactly: the background's, or else the typical one of the
@@ -259,7 +266,8 @@ SpacingField make_spacing_field(const SurfaceMesh& surface, const SpacingOptions
                        {},
                        options.background,
                        options.growth,
-                       ceiling};
+                       ceiling,
+                       tree_of_triangles(options)};
   for (const Source& source : options.sources) {
     demand.sources.push_back(source_demand(source, options.growth));
   }

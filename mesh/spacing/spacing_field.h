@@ -41,6 +41,15 @@ struct Source {
   std::array<double, 2> radii{};  ///< of a cylinder, at its ends; 0: a tip
 };
 
+/// A triangle, most likely of a patch, at which the spacing is wanted: constant within 0.6 of
+/// itself of the triangle, and growing beyond. The growth counts no more than that of all of the
+/// field.
+struct TriangleDemand {
+  std::array<Vec3, 3> corners;
+  double spacing = 0;
+  double growth = 0;
+};
+
 struct SpacingOptions {
   /// Spacing far from everything; 0: the largest that surface and growth allow.
   double background = 0;
@@ -49,6 +58,7 @@ struct SpacingOptions {
   /// The surface's own edge lengths count too.
   bool inherit_surface = true;
   std::vector<Source> sources;
+  std::vector<TriangleDemand> triangles;
 };
 
 /// One node of the job's body-centred-cubic lattice (kernel: points inside). `cell_edge` is the
@@ -170,8 +180,8 @@ class SpacingField {
 /// The field of a domain: the minimum of background, sources and (if asked) surface edge lengths,
 /// growing by no more than options.growth per unit length. Deterministic to the last bit on every
 /// machine (uses only + - * / sqrt).
-/// @throws InvalidInput when a source has a spacing or radius that is not positive, or outer <
-/// inner. Cost: O(n log n) for n triangles + cells.
+/// @throws InvalidInput when a source has a spacing, growth or radius that is not positive, or
+/// outer < inner. Cost: O(n log n) for n triangles + cells.
 SpacingField make_spacing_field(const SurfaceMesh& surface, const SpacingOptions& options);
 
 }  // namespace tetfarm

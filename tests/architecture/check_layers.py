@@ -16,7 +16,7 @@ ROOMS = {
     "mesh/core": ["base"],
     "mesh/graph": ["base"],
     "mesh/geometry": ["base", "mesh/core"],
-    "mesh/spacing": ["base", "mesh/core"],
+    "mesh/spacing": ["base", "mesh/core", "mesh/geometry"],
     "mesh/formats/list": ["base"],
     "mesh/job_file": ["base", "mesh/core", "mesh/formats/list"],
     "mesh/artifacts": ["base", "mesh/core"],

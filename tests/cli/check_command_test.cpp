@@ -67,6 +67,37 @@ TEST_F(Checked, a_sound_surface_is_told_to_programs_with_its_figures) {
                 "regions":[],"defects":[]})"));
 }
 
+TEST_F(Checked, a_surface_in_another_unit_is_told_in_metres) {
+  CheckOptions options;
+  options.input = write("tet.off", tet_off);
+  options.unit = "cm";
+  const Said said = said_by([&] { return check_command(options); });
+  EXPECT_THAT(said.out, StartsWith("lengths         m, of a surface in cm\ntriangles       4\n"));
+  EXPECT_THAT(said.out, HasSubstr("volume          1.66666667e-07 m^3\n"
+                                  "edges           0.01 m shortest, 0.01414 m median, "));
+  options.json = true;
+  const json told = json::parse(said_by([&] { return check_command(options); }).out);
+  EXPECT_EQ(told["unit"], "m");
+  EXPECT_EQ(told["scale"], 0.01);
+  EXPECT_EQ(told["shortest_edge"], 0.01);
+}
+
+TEST_F(Checked, sizes_at_patches_count_in_what_the_job_comes_to) {
+  CheckOptions options;
+  options.input = write("tet.off", tet_off);
+  options.json = true;
+  const auto elements = [&options] {
+    return json::parse(said_by([&] { return check_command(options); }).out)["estimated_elements"]
+        .get<double>();
+  };
+  const double plain = elements();
+  options.patch_sizes = {"surface=0.1"};
+  EXPECT_GT(elements(), 20 * plain);
+  options.patch_sizes = {"wing=0.1"};
+  EXPECT_THAT(said_by([&] { return check_command(options); }).error,
+              HasSubstr("--patch-size 'wing=0.1': \"wing\" matches no patch"));
+}
+
 TEST_F(Checked, defects_are_an_error_and_lie_in_a_file) {
   const std::string surface = write("open.off", open_off);
   const std::string file = (folder_.path() / "bad.vtp").string();

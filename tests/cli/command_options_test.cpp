@@ -15,10 +15,11 @@ using CommandOptions = PlainEnvironment;
 
 /// What `run`, `plan` and `submit` take.
 const std::vector<std::string> job_words = {
-    "wing.stl", "--size",      "0.5",          "--growth", "0.2",
-    "--outer",  "box:3",       "--outer-size", "0.25",     "--max-elements",
-    "7",        "--format",    "vtkhdf,su2",   "--layers", "wing_*,tip:first=1e-4,count=20",
-    "--layers", "[a]:first=1", "--keep",       "needed"};
+    "wing.stl",    "--size",       "0.5",          "--growth", "0.2",
+    "--outer",     "box:3",        "--outer-size", "0.25",     "--max-elements",
+    "7",           "--format",     "vtkhdf,su2",   "--layers", "wing_*,tip:first=1e-4,count=20",
+    "--layers",    "[a]:first=1",  "--keep",       "needed",   "--patch-size",
+    "a,b=0.1:0.2", "--patch-size", "c=1",          "--scale",  "0.001"};
 
 void expect_job(const RunOptions& job) {
   EXPECT_EQ(job.input, "wing.stl");
@@ -30,6 +31,9 @@ void expect_job(const RunOptions& job) {
   EXPECT_THAT(job.formats, ElementsAre("vtkhdf", "su2"));
   EXPECT_EQ(job.keep, "needed");
   EXPECT_THAT(job.layers, ElementsAre("wing_*,tip:first=1e-4,count=20", "[a]:first=1"));
+  EXPECT_THAT(job.patch_sizes, ElementsAre("a,b=0.1:0.2", "c=1"));
+  EXPECT_EQ(job.scale, 0.001);
+  EXPECT_EQ(job.unit, "");
   EXPECT_FALSE(job.force);
 }
 
@@ -118,6 +122,11 @@ TEST_F(CommandOptions, of_a_check) {
   EXPECT_EQ(of_surface.defects_file, "d.vtp");
   EXPECT_TRUE(of_surface.json);
   EXPECT_EQ(of_surface.store + of_surface.database, "");
+  const auto in_mm =
+      parsed_as<CheckOptions>({"check", "--patch-size", "a=1", "--unit", "mm", "b.stl"});
+  EXPECT_THAT(in_mm.patch_sizes, ElementsAre("a=1"));
+  EXPECT_EQ(in_mm.unit, "mm");
+  EXPECT_FALSE(in_mm.scale.has_value());
   const auto of_store = parsed_as<CheckOptions>({"check", "--store", "s", "--database", "d"});
   EXPECT_EQ(of_store.store, "s");
   EXPECT_EQ(of_store.database, "d");
@@ -227,6 +236,8 @@ TEST_F(CommandOptions, of_remeshing) {
   EXPECT_EQ(all.heal_tolerance, 0.5);
   EXPECT_EQ(all.largest_hole, 3);
   EXPECT_TRUE(parsed_as<SurfaceCommand>({"surface", "a.stl", "--heal-only"}).heal_only);
+  EXPECT_THAT(parsed_as<SurfaceCommand>({"surface", "--patch-size", "tip=1", "a.stl"}).patch_sizes,
+              ElementsAre("tip=1"));
   EXPECT_EQ(all.output, "b.off");
   EXPECT_EQ(all.size, 2);
   EXPECT_EQ(all.min_size, 0.5);
@@ -489,6 +500,8 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
       {run({"--frequency", "1GHz", "--per-wavelength", "0"}), "--per-wavelength" + positive + "0"},
       {run({"--frequency", "1GHz", "--wave-speed", "-3"}), "--wave-speed" + positive + "-3"},
       {{"surface", "a.stl", "--size", "1", "--frequency", "1GHz"}, "--size excludes --frequency"},
+      {{"run", "a.stl", "--scale", "2", "--unit", "mm"}, "--scale excludes --unit"},
+      {{"run", "a.stl", "--scale", "0"}, "--scale" + positive + "0"},
       {{"init"}, "SURFACE is required"},
       {{"init", "a.stl", "-o", ""}, "--output: must not be empty"},
       {{"plan", "a.stl", "--database", "d"}, "--database requires --store"},
@@ -607,6 +620,8 @@ TEST_F(CommandOptions, of_a_job_file_to_write) {
   EXPECT_EQ(init.surface, "a.stl");
   EXPECT_EQ(init.output, "a.toml");
   EXPECT_TRUE(init.force);
+  EXPECT_EQ(parsed_as<InitCommand>({"init", "a.stl", "--unit", "in"}).unit, "in");
+  EXPECT_EQ(parsed_as<InitCommand>({"init", "a.stl", "--scale", "2"}).scale, 2);
   EXPECT_EQ(parsed_as<InitCommand>({"init", "a.stl", "-o", "-"}).output, "-");
   EXPECT_FALSE(parsed_as<InitCommand>({"init", "a.stl"}).force);
 }

@@ -200,6 +200,7 @@ TEST(DeclaredCommands, have_values_of_which_it_is_known_whether_they_are_paths) 
                                           "tcp://ADDRESS:PORT",
                                           "PATCH,...:KEY=VALUE,...",
                                           "PATCH,...=TYPE",
+                                          "PATCH,...=H[:G]",
                                           "y=0",
                                           "PATCH,...[:KEY=VALUE,...]"};
   for (const DeclaredCommand& command : with_all_below(declared_commands())) {

@@ -89,6 +89,23 @@ TEST_F(Init, writes_settings_any_of_which_can_be_planned) {
   }
 }
 
+TEST_F(Init, writes_a_job_in_metres_of_a_surface_in_another_unit) {
+  InitCommand command;
+  command.surface = box();
+  command.output = path("job.toml");
+  command.unit = "mm";
+  EXPECT_EQ(said_by([&] { return init_command(command); }).error, "");
+  const std::string text = read_file(path("job.toml"));
+  EXPECT_THAT(text, HasSubstr("box 0.003 x 0.002 x 0.001"));
+  EXPECT_EQ(job_of(path("job.toml")).job.unit, "mm");
+  command.unit.clear();
+  command.scale = 2;
+  command.force = true;
+  EXPECT_EQ(said_by([&] { return init_command(command); }).error, "");
+  EXPECT_THAT(read_file(path("job.toml")), HasSubstr("\nscale = 2\n"));
+  EXPECT_EQ(job_of(path("job.toml")).job.scale, 2);
+}
+
 TEST_F(Init, names_the_surface_from_the_folder_of_the_job_file) {
   box();
   make_folders(path("jobs"));

@@ -91,6 +91,58 @@ TEST(JobInput, takes_each_option_of_a_job) {
   EXPECT_EQ(describe_job(options).job.max_elements, 0);
 }
 
+TEST(JobInput, has_types_and_sizes_of_patches_in_one_table_each) {
+  RunOptions options = of_surface("wing.stl");
+  options.patch_types = {"wing,tip=wall"};
+  options.patch_sizes = {"tip=0.1:0.2", "flap=0.3"};
+  const JobFile job = describe_job(options).job;
+  ASSERT_EQ(job.patches.size(), 3U);
+  EXPECT_EQ(job.patches[1].type, "wall");
+  EXPECT_EQ(job.patches[1].size, 0.1);
+  EXPECT_EQ(job.patches[1].growth, 0.2);
+  EXPECT_EQ(job.patches[2].type, "");
+  EXPECT_EQ(to_toml(parse_job_file(to_toml(job), "a.toml")), to_toml(job));
+  options.patch_sizes = {"tip=0"};
+  EXPECT_THAT(refusal(options), HasSubstr("--patch-size 'tip=0': \"0\" is no size"));
+}
+
+TEST(JobInput, is_in_the_unit_that_the_command_line_says) {
+  RunOptions options = of_surface("wing.stl");
+  EXPECT_EQ(describe_job(options).job.scale, 1);
+  options.unit = "mm";
+  EXPECT_EQ(describe_job(options).job.scale, 0.001);
+  EXPECT_EQ(describe_job(options).job.unit, "mm");
+  options.unit = "mn";
+  EXPECT_EQ(refusal(options), "--unit: \"mn\" is no unit of length");
+}
+
+TEST_F(JobOfAFile, is_in_its_own_unit_unless_another_is_typed) {
+  RunOptions options = of_surface(write("job.toml",
+                                        "[geometry]\nsurface = \"tet.off\"\nunit = \"mm\"\n"
+                                        "[patch.surface]\nsize = 2\n"));
+  EXPECT_EQ(describe_job(options).job.unit, "mm");
+  options.scale = 2;
+  EXPECT_EQ(describe_job(options).job.unit, "");
+  EXPECT_EQ(describe_job(options).job.scale, 2);
+  options.scale.reset();
+  options.unit = "ft";
+  EXPECT_EQ(describe_job(options).job.scale, 0.3048);
+  EXPECT_EQ(describe_job(options).job.patches.at(0).size, 2);
+}
+
+TEST_F(JobOfAFile, is_judged_in_the_lengths_of_the_job) {
+  RunOptions options = of_surface(write("tet.off", tet_off));
+  options.unit = "mm";
+  options.patch_sizes = {"surface=1e-4"};
+  options.layers = {"surface:first=1e-5,count=2"};
+  require_readable(read_job(options));
+  options.unit.clear();
+  options.layers = {"surface:first=2,count=2"};
+  EXPECT_THROW(require_readable(read_job(options)), UsageError);
+  options.scale = 100;
+  require_readable(read_job(options));
+}
+
 TEST(JobInput, an_outer_boundary_has_a_factor_of_its_kind_unless_one_is_given) {
   const auto outer = [](const char* text) {
     RunOptions options = of_surface("wing.stl");

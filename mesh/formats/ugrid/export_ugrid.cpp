@@ -1,7 +1,5 @@
 #include "mesh/formats/ugrid/export_ugrid.h"
 
-#include <algorithm>
-
 #include "base/file_system.h"
 #include "mesh/formats/patch_boxes.h"
 #include "mesh/formats/ugrid/mapbc.h"
@@ -72,9 +70,8 @@ void write_beside_ugrid(const MeshSource& source, const MeshOutline& outline,
                         const fs::path& file) {
   const fs::path stem = fs::path(file).replace_extension().replace_extension();
   const std::vector<PatchType>& types = outline.patch_types;
-  const bool has_symmetry =
-      std::find(types.begin(), types.end(), PatchType::symmetry) != types.end();
-  const std::vector<Box3> boxes = has_symmetry ? patch_boxes(source, outline) : std::vector<Box3>();
+  const std::vector<Box3> boxes =
+      wants_boxes(types) ? patch_boxes(source, outline) : std::vector<Box3>();
   write_file_atomically(stem.string() + ".mapbc", mapbc_text(outline.patch_names, types, boxes));
   if (outline.region_names.size() < 2) return;
   write_file_atomically(stem.string() + ".regions", region_lines(outline));

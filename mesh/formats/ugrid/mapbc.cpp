@@ -1,5 +1,6 @@
 #include "mesh/formats/ugrid/mapbc.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <optional>
@@ -40,6 +41,10 @@ PatchType type_of_mapbc_code(long code) {
     if (code == known) return type;
   }
   return PatchType::unspecified;
+}
+
+bool wants_boxes(std::span<const PatchType> types) {
+  return std::find(types.begin(), types.end(), PatchType::symmetry) != types.end();
 }
 
 std::string mapbc_text(std::span<const std::string> patch_names, std::span<const PatchType> types,

@@ -23,8 +23,11 @@ int mapbc_code(PatchType type, const Box3& box);
 /// was not specified.
 PatchType type_of_mapbc_code(long code);
 
+/// Whether mapbc_text looks at the boxes of patches of these types.
+bool wants_boxes(std::span<const PatchType> types);
+
 /// The text of the file: the number of patches, then "NUMBER CODE NAME" for each.
-/// @param types,boxes one for each patch, or none: all are unspecified then.
+/// @param types,boxes one for each patch, or none: all are unspecified then, or boxes not wanted.
 std::string mapbc_text(std::span<const std::string> patch_names, std::span<const PatchType> types,
                        std::span<const Box3> boxes);
 

@@ -60,6 +60,56 @@ TEST(PatchTables, are_refused_where_they_are_wrong) {
   EXPECT_THAT(refusal_of_tables("[patch.\"\"]\ntype = \"wall\"\n"), HasSubstr("an empty name"));
 }
 
+TEST(PatchTables, say_how_long_edges_are_at_patches) {
+  const JobFile job =
+      job_of("[patch.a]\nsize = 0.01\n[patch.b]\ntype = \"wall\"\nsize = 2\ngrowth = 0.125\n");
+  ASSERT_EQ(job.patches.size(), 2U);
+  EXPECT_EQ(job.patches[0].type, "");
+  EXPECT_EQ(job.patches[0].size, 0.01);
+  EXPECT_EQ(job.patches[0].growth, 0) << "that of the job";
+  EXPECT_EQ(job.patches[1].type, "wall");
+  EXPECT_EQ(job.patches[1].size, 2);
+  EXPECT_EQ(job.patches[1].growth, 0.125);
+  const std::string text = to_toml(job);
+  EXPECT_EQ(to_toml(parse_job_file(text, "again.toml")), text);
+  EXPECT_THAT(text, HasSubstr("\n[patch.\"a\"]\nsize = 0.01\n\n[patch.\"b\"]\ntype = \"wall\"\n"
+                              "size = 2\ngrowth = 0.125\n"));
+}
+
+TEST(PatchTables, of_sizes_are_refused_where_they_are_wrong) {
+  EXPECT_THAT(refusal_of_tables("[patch.a]\nsize = 0\n"), HasSubstr("`size` must be positive"));
+  EXPECT_THAT(refusal_of_tables("[patch.a]\nsize = 1\ngrowth = -1\n"),
+              HasSubstr("`growth` must be positive"));
+  EXPECT_THAT(refusal_of_tables("[patch.a]\ntype = \"wall\"\ngrowth = 1\n"),
+              HasSubstr("a.toml:5:10: `growth` needs `size`"));
+}
+
+TEST(PatchSizeOption, names_patches_and_their_edges) {
+  const std::vector<JobPatch> patches = parse_patch_size_option("wing_*,a=b=0.01");
+  ASSERT_EQ(patches.size(), 2U);
+  EXPECT_EQ(patches[0].glob, "wing_*");
+  EXPECT_EQ(patches[1].glob, "a=b");
+  EXPECT_EQ(patches[1].size, 0.01);
+  EXPECT_EQ(patches[1].growth, 0);
+  EXPECT_EQ(patches[1].type, "");
+  EXPECT_EQ(patches[1].typed_size, "wing_*,a=b=0.01");
+  EXPECT_EQ(parse_patch_size_option("tip=1e-3:0.25")[0].growth, 0.25);
+}
+
+TEST(PatchSizeOption, is_refused_with_what_was_typed) {
+  const auto refusal = [](const std::string& typed) {
+    return error_text_of<UsageError>([&] { parse_patch_size_option(typed); });
+  };
+  EXPECT_EQ(refusal("wing"), "--patch-size 'wing': must be PATCH,...=SIZE[:GROWTH]");
+  for (const char* wrong : {"wing=", "wing=0", "wing=-1", "wing=1mm", "wing=inf", "wing=:0.3"}) {
+    EXPECT_THAT(refusal(wrong), HasSubstr("is no size: a number above 0")) << wrong;
+  }
+  for (const char* wrong : {"wing=1:", "wing=1:0", "wing=1:0.3:2", "wing=1:nan"}) {
+    EXPECT_THAT(refusal(wrong), HasSubstr("is no growth: a number above 0")) << wrong;
+  }
+  EXPECT_THAT(refusal("=1"), HasSubstr("an empty name"));
+}
+
 TEST(PatchTypeOption, names_patches_and_what_they_are) {
   const std::vector<JobPatch> patches = parse_patch_type_option("wing_*,a=b=symmetry");
   ASSERT_EQ(patches.size(), 2U);

@@ -153,7 +153,8 @@ TEST(JobFileKeys, are_each_there_once) {
   for (const std::string& key : job_file_keys()) all += key + " ";
   EXPECT_EQ(
       all,
-      "version name geometry.surface surface.remesh surface.size surface.min_size surface.angle "
+      "version name geometry.surface geometry.scale geometry.unit surface.remesh surface.size "
+      "surface.min_size surface.angle "
       "surface.tolerance domain.outer domain.factor domain.spacing domain.symmetry region.at "
       "region.name region.void spacing.default spacing.frequency spacing.wave_speed "
       "spacing.per_wavelength spacing.growth spacing.surface spacing.sources "
@@ -164,7 +165,7 @@ TEST(JobFileKeys, are_each_there_once) {
       "layers.y_plus layers.reynolds layers.length layers.growth layers.growth_cap "
       "layers.acceleration layers.total_height layers.count layers.equal layers.heights "
       "layers.room layers.step "
-      "layers.fan_angle layers.elements patch.type "
+      "layers.fan_angle layers.elements patch.type patch.size patch.growth "
       "pml.patches pml.layers pml.height pml.corners pml.elements pml.side "
       "decompose.subdomains decompose.target_elements "
       "decompose.plane decompose.max_memory decompose.assimilate decompose.assimilate.groups "

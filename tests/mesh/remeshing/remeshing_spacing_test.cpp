@@ -23,6 +23,19 @@ TEST(RemeshingSpacing, of_a_large_plane_is_the_size_asked_for) {
   EXPECT_EQ(spacing.at({0, 0, 0}), 0.1);
 }
 
+TEST(RemeshingSpacing, is_what_a_patch_asks_for_also_below_the_least_size) {
+  const SurfaceMesh cube = shapes::unit_cube();
+  RemeshOptions options;
+  options.size = 0.1;
+  options.min_size = 0.05;
+  options.triangles = {{{Vec3{0, 0, 1}, Vec3{1, 0, 1}, Vec3{0, 1, 1}}, 0.01, 0.2}};
+  options = with_defaults(options, cube);
+  const RemeshingSpacing spacing = remeshing_spacing(cube, surface_features(cube, 30), options);
+  EXPECT_EQ(spacing.at({0.25, 0.25, 1}), 0.01);
+  EXPECT_NEAR(spacing.at({0.25, 0.25, 1.106}), 0.03, 1e-15);
+  EXPECT_EQ(spacing.at({0.25, 0.25, 0}), 0.1);
+}
+
 TEST(RemeshingSpacing, follows_the_radius_of_a_sphere) {
   const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 3);
   RemeshOptions options;
