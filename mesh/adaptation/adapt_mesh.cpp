@@ -15,6 +15,7 @@
 #include "mesh/adaptation/edge_collapse.h"
 #include "mesh/adaptation/edge_refinement.h"
 #include "mesh/adaptation/edge_swaps.h"
+#include "mesh/adaptation/mesh_compaction.h"
 #include "mesh/adaptation/metric_scaling.h"
 #include "mesh/adaptation/metric_smoothing.h"
 #include "mesh/adaptation/misfit_mending.h"
@@ -62,9 +63,17 @@ void check_border(const PlaneMesh& mesh) {
                      mesh.name);
 }
 
+/// The first round looks at edges near active nodes, later ones at those near what has changed.
+void begin_rounds(MetricMesh& mesh) {
+  for (std::size_t v = 0; v < mesh.touched.size(); ++v) {
+    mesh.touched[v] = mesh.active[v] != 0 ? TouchedBits::now : 0;
+  }
+}
+
 void coarsen(MetricMesh& mesh) {
   for (int pass = 0; pass < most_passes; ++pass) {
-    if (collapse_edges(mesh, {0.6, 1.41421356, 60}, false) == 0) return;
+    begin_round(mesh);
+    if (collapse_edges(mesh, {0.6, 1.41421356, 60}, EdgesToVisit::touched) == 0) return;
     swap_edges(mesh, SwapCriterion::ellipse, true);
   }
 }
@@ -74,9 +83,10 @@ void refine(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity,
   RefinementLimits limits = limits_of_length;
   limits.most_triangles = options.max_triangles;
   for (int pass = 0; pass < most_passes; ++pass) {
-    while (refine_edges(mesh, field, cavity, limits, EdgesToRefine::on_curves) > 0) {
+    begin_round(mesh);
+    while (refine_edges(mesh, field, cavity, limits, EdgesToVisit::touched, true) > 0) {
     }
-    const std::int64_t nodes = refine_edges(mesh, field, cavity, limits, EdgesToRefine::all);
+    const std::int64_t nodes = refine_edges(mesh, field, cavity, limits, EdgesToVisit::touched);
     if (mesh.complex.size() - std::ssize(mesh.unused) > options.max_triangles) {
       throw InvalidInput(
           "the metric asks for more than " + std::to_string(options.max_triangles) + " triangles",
@@ -92,15 +102,15 @@ void sweep(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity) {
   swap_edges(mesh, SwapCriterion::energy, true);
   smooth_nodes(mesh, field);
   swap_edges(mesh, SwapCriterion::energy, true);
-  collapse_edges(mesh, {0.69, 1.36, 12}, true);
-  refine_edges(mesh, field, cavity, limits_of_length, EdgesToRefine::active);
+  collapse_edges(mesh, {0.69, 1.36, 12}, EdgesToVisit::active);
+  refine_edges(mesh, field, cavity, limits_of_length, EdgesToVisit::active);
 }
 
 void mend(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity) {
   for (int i = 0; i < mendings && mend_misfits(mesh, field, fitting) > 0; ++i) {
     swap_edges(mesh, SwapCriterion::energy, true);
-    collapse_edges(mesh, {0.665, 1.33, 8}, true);
-    refine_edges(mesh, field, cavity, {1.34, 0.67}, EdgesToRefine::active);
+    collapse_edges(mesh, {0.665, 1.33, 8}, EdgesToVisit::active);
+    refine_edges(mesh, field, cavity, {1.34, 0.67}, EdgesToVisit::active);
   }
   mend_misfits(mesh, field, fitting);
 }
@@ -117,6 +127,7 @@ MetricMesh resolved_mesh(const PlaneMesh& input, const TriangleComplex& complex,
   MetricMesh mesh =
       make_metric_mesh(input, complex, metrics, options.corner_angle_deg, options.curves);
   EllipseCavity cavity(options.cavity);
+  mesh.touched.assign(mesh.touched.size(), TouchedBits::now);
   refine(mesh, MetricField(complex, scaled, {&slow, metric_factor}), cavity, options);
   return mesh;
 }
@@ -129,14 +140,32 @@ void take_metrics(MetricMesh& mesh, const MetricField& field) {
     place.metric = field.at(place.point, place.home);
     move_node(mesh, v, place);
   }
+  mesh.energies.assign(mesh.energies.size(), MetricMesh::unknown_energy);
+}
+
+/// Swaps begin with the triangles that have an active node.
+void uncheck_active(MetricMesh& mesh) {
+  for (std::int32_t t = 0; t < mesh.complex.size(); ++t) {
+    const TriangleComplex::Nodes& n = mesh.complex.nodes(t);
+    if ((mesh.active[at(n[0])] | mesh.active[at(n[1])] | mesh.active[at(n[2])]) != 0) {
+      mesh.unchecked[at(t)] = 0xff;
+    }
+  }
 }
 
 void adapt_to_unit_length(MetricMesh& mesh, const MetricField& field,
                           const AdaptationOptions& options) {
   EllipseCavity cavity(options.cavity);
+  const std::int32_t nodes = mesh.nodes();
   activate_misfits(mesh, fitting);
+  uncheck_active(mesh);
+  begin_rounds(mesh);
   coarsen(mesh);
+  begin_rounds(mesh);
   refine(mesh, field, cavity, options);
+  if (10 * std::ssize(mesh.unused) > mesh.complex.size() || 10 * nodes < 9 * mesh.nodes()) {
+    compact(mesh);
+  }
   for (int i = 0; i < options.sweeps; ++i) sweep(mesh, field, cavity);
   mend(mesh, field, cavity);
 }

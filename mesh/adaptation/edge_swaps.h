@@ -7,13 +7,17 @@
 /// fall, so that it ends. Cost: O(edges + swaps).
 #pragma once
 
+#include <cstdint>
+
 #include "mesh/adaptation/metric_mesh.h"
 
 namespace tetfarm {
 
-enum class SwapCriterion { ellipse, energy };
+/// Bits of MetricMesh::unchecked.
+enum class SwapCriterion : std::uint8_t { ellipse = 1, energy = 2 };
 
-/// Of the active nodes alone, where asked for. Returns how many edges were swapped.
-std::int64_t swap_edges(MetricMesh& mesh, SwapCriterion criterion, bool only_active);
+/// Of unchecked triangles alone, where asked for; afterwards all are checked by this criterion.
+/// Returns how many edges were swapped.
+std::int64_t swap_edges(MetricMesh& mesh, SwapCriterion criterion, bool only_unchecked);
 
 }  // namespace tetfarm

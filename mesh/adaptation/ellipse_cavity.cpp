@@ -172,11 +172,13 @@ void EllipseCavity::fill(MetricMesh& mesh, std::int32_t node) {
     const std::int32_t t = taken < triangles_.size() ? triangles_[taken++] : take_triangle(mesh);
     mesh.complex.set_triangle(t, {node, edge.from, edge.to});
     mesh.regions[at(t)] = edge.region;
+    note_change(mesh, t);
     mesh.complex.glue(edge_handle(t, 0), edge.outside);
     if (edge.is_constrained) mesh.complex.constrain(edge_handle(t, 0), true);
     starts_[at(edge.from)] = t;
     edge.outside = t;
     mesh.active[at(edge.from)] = 1;
+    mesh.touched[at(edge.from)] |= TouchedBits::now;
   }
   TF_CHECK(taken == triangles_.size());
   for (const RimEdge& edge : rim_) {
