@@ -102,12 +102,12 @@ ExitCode adapt_command(const AdaptCommand& command) {
   const std::int64_t start = steady_ms();
   const PlaneSources written = sources_of_command(command);
   const MetricSources sources = metric_sources_of(written.sources);
-  const CurvesOfMesh curved =
+  CurvesOfMesh curved =
       curves_of_options(command.curves, read_plane_mesh(command.input), command.corner_angle_deg);
   const PlaneMesh& mesh = curved.mesh;
   const TriangleComplex& complex = curved.complex;
   const bool has_solution = !command.solution.empty();
-  const std::vector<Metric2> metrics = metrics_of_command(command, curved, written);
+  std::vector<Metric2> metrics = metrics_of_command(command, curved, written);
   AdaptationWish wish;
   wish.metrics = metrics;
   wish.metric_name = has_solution ? command.solution : command.metric;
@@ -131,6 +131,9 @@ ExitCode adapt_command(const AdaptCommand& command) {
     telling.sources_file = command.sources;
   }
   const AdaptedMesh adapted = adapt_to_metric(mesh, complex, wish, options);
+  // What is written next takes as much room again.
+  curved.complex = TriangleComplex();
+  metrics = std::vector<Metric2>();
   if (!has_solution && command.metric.empty()) check_that_sources_act(telling, adapted);
   write_plane_mesh(adapted.result.mesh, command.output);
   tell_adapted(telling, adapted);

@@ -99,20 +99,19 @@ void add_curve(MetricMesh& mesh, const BoundaryPiece& piece, std::span<const Pat
 /// The triangles in use along the Hilbert curve of their first nodes.
 std::vector<std::int32_t> triangles_in_order(const MetricMesh& mesh) {
   std::vector<std::int32_t> used;
-  std::vector<Vec3> places;
+  used.reserve(mesh.complex.triangles.size());
   for (std::int32_t t = 0; t < mesh.complex.size(); ++t) {
-    if (!mesh.is_used(t)) continue;
-    used.push_back(t);
+    if (mesh.is_used(t)) used.push_back(t);
+  }
+  std::vector<std::int32_t> order = hilbert_order(used.size(), [&](std::size_t k) {
     Vec2 sum;
-    for (const std::int32_t v : mesh.complex.nodes(t)) {
+    for (const std::int32_t v : mesh.complex.nodes(used[k])) {
       sum.x += mesh.complex.point(v).x;
       sum.y += mesh.complex.point(v).y;
     }
-    places.push_back({sum.x / 3, sum.y / 3, 0});
-  }
-  std::vector<std::int32_t> order;
-  order.reserve(used.size());
-  for (const std::int32_t k : hilbert_order(places)) order.push_back(used[at(k)]);
+    return Vec3{sum.x / 3, sum.y / 3, 0};
+  });
+  for (std::int32_t& k : order) k = used[at(k)];
   return order;
 }
 
@@ -212,7 +211,10 @@ MeshWithMetrics plane_mesh_of(const MetricMesh& mesh) {
     }
     return number;
   };
-  for (const std::int32_t t : triangles_in_order(mesh)) {
+  const std::vector<std::int32_t> order = triangles_in_order(mesh);
+  out.mesh.triangles.reserve(order.size());
+  out.mesh.regions.reserve(order.size());
+  for (const std::int32_t t : order) {
     const TriangleComplex::Nodes& n = mesh.complex.nodes(t);
     const std::int32_t a = number_of(n[0]);
     const std::int32_t b = number_of(n[1]);

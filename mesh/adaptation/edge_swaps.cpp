@@ -104,14 +104,14 @@ std::int64_t swap_edges(MetricMesh& mesh, SwapCriterion criterion, bool only_unc
   };
   std::vector<EdgeHandle> waiting;
   for (std::int32_t first = 0; first < mesh.complex.size(); ++first) {
-    if (!is_to_check(first)) continue;
-    for (int i = 0; i < 3 && mesh.is_used(first); ++i) {
+    if (!mesh.is_used(first) || known_energy(mesh, first) < surely_best) continue;
+    for (int i = 0; i < 3; ++i) {
       const EdgeHandle beyond = mesh.complex.neighbour(first, i);
-      // An edge is looked at once, from the first of its triangles whose turn it is.
-      if (beyond < edge_handle(first, i) &&
-          (beyond == no_edge || is_to_check(triangle_of(beyond)))) {
-        continue;
-      }
+      if (beyond == no_edge) continue;
+      const std::int32_t other = triangle_of(beyond);
+      if (!is_to_check(first) && !is_to_check(other)) continue;
+      // An edge between two of them is looked at from the first.
+      if (other < first && known_energy(mesh, other) >= surely_best) continue;
       waiting.assign(1, edge_handle(first, i));
       while (!waiting.empty() && swaps < most_swaps) {
         const EdgeHandle edge = waiting.back();

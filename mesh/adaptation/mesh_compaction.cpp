@@ -27,13 +27,14 @@ Renumbering renumbering_of(std::vector<std::int32_t> order, std::size_t before) 
 
 Renumbering of_nodes(const MetricMesh& mesh) {
   std::vector<std::int32_t> used;
-  std::vector<Vec3> places;
+  used.reserve(mesh.complex.points.size());
   for (std::int32_t v = 0; v < mesh.nodes(); ++v) {
-    if (mesh.complex.node2triangle[at(v)] < 0) continue;
-    used.push_back(v);
-    places.push_back({mesh.complex.point(v).x, mesh.complex.point(v).y, 0});
+    if (mesh.complex.node2triangle[at(v)] >= 0) used.push_back(v);
   }
-  std::vector<std::int32_t> order = hilbert_order(places);
+  std::vector<std::int32_t> order = hilbert_order(used.size(), [&](std::size_t k) {
+    const Vec2& p = mesh.complex.point(used[k]);
+    return Vec3{p.x, p.y, 0};
+  });
   for (std::int32_t& v : order) v = used[at(v)];
   return renumbering_of(std::move(order), mesh.complex.points.size());
 }

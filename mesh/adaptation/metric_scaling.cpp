@@ -137,6 +137,7 @@ ScaledMetric at_scale(const TriangleComplex& complex, std::span<const Metric2> w
                       const MetricLimits& limits, const MetricSources* sources, double scale) {
   ScaledMetric result;
   result.scale = scale;
+  result.metrics.reserve(wish.size());
   for (const Metric2& m : wish) {
     const Metric2 wished = (scale * scale) * m;
     const Eigen2 e = eigen(wished);
@@ -145,10 +146,12 @@ ScaledMetric at_scale(const TriangleComplex& complex, std::span<const Metric2> w
     result.at_aspect += e.first > limits.aspect * limits.aspect * e.second ? 1 : 0;
     result.metrics.push_back(limited(wished, limits));
   }
-  std::vector<Metric2> before = result.metrics;
-  result.metrics = graded(complex, std::move(result.metrics), limits.gradation);
-  for (std::size_t v = 0; v < before.size(); ++v) {
-    result.by_gradation += before[v] == result.metrics[v] ? 0 : 1;
+  if (limits.gradation > 1) {
+    const std::vector<Metric2> before = result.metrics;
+    result.metrics = graded(complex, std::move(result.metrics), limits.gradation);
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      result.by_gradation += before[v] == result.metrics[v] ? 0 : 1;
+    }
   }
   if (sources == nullptr) {
     result.complexity = complexity(complex, result.metrics);
