@@ -60,7 +60,6 @@ AdaptationResult adapt_mesh(const PlaneMesh& mesh, std::span<const Metric2> metr
 
 /// The same of a mesh and metrics that are checked. `complex`: checked_complex() of the mesh.
 AdaptationResult adapt_checked_mesh(const PlaneMesh& mesh, const TriangleComplex& complex,
-                                    std::vector<Metric2> metrics,
-                                    const AdaptationOptions& options);
+                                    std::vector<Metric2> metrics, const AdaptationOptions& options);
 
 }  // namespace tetfarm

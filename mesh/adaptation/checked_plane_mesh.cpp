@@ -65,9 +65,8 @@ void check_edges(const PlaneMesh& mesh, const std::vector<TriangleComplex::Nodes
       ends.emplace_back(triangles[at(t)][at(previous(edge_of(side)))], t);
     }
     std::sort(ends.begin(), ends.end());
-    const auto twice =
-        std::adjacent_find(ends.begin(), ends.end(),
-                           [](const auto& a, const auto& b) { return a.first == b.first; });
+    const auto twice = std::adjacent_find(
+        ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
     if (twice == ends.end()) continue;
     throw InvalidInput("lies over triangle " + std::to_string((twice + 1)->second + 1) +
                            ": both are on the same side of an edge that they share",

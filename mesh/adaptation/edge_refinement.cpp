@@ -113,8 +113,7 @@ bool divide_edge(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavi
 }
 
 std::int64_t refine_edges(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity,
-                          const RefinementLimits& limits, EdgesToVisit which,
-                          bool only_on_curves) {
+                          const RefinementLimits& limits, EdgesToVisit which, bool only_on_curves) {
   std::int64_t nodes = 0;
   // Triangles that come meanwhile have their turn the next time.
   const std::int32_t triangles = mesh.complex.size();

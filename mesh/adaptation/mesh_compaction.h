@@ -1,6 +1,6 @@
 /// Numbers the nodes and triangles of a mesh anew along a space-filling curve, without those that
-/// have gone: what lies side by side is side by side in memory, and operations that go over the mesh
-/// in the order of its numbers find it there.
+/// have gone: what lies side by side is side by side in memory, and operations that go over the
+/// mesh in the order of its numbers find it there.
 ///
 /// Source: Hilbert curve (mesh/geometry/hilbert_order.h). Determinism: the numbers follow from the
 /// places of the nodes, those of the triangles from their lowest nodes. Cost: O(nodes).

@@ -60,7 +60,8 @@ struct MetricMesh {
   }
 };
 
-/// Of `touched`: something changed in the ball of the node, since the round began or in that before.
+/// Of `touched`: something changed in the ball of the node, since the round began or in that
+/// before.
 struct TouchedBits {
   static constexpr std::uint8_t now = 1, before = 2;
 };

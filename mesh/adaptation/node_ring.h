@@ -1,5 +1,5 @@
-/// The triangles round a node, with the places and metrics of the nodes opposite it side by side: for
-/// trying many places of the node.
+/// The triangles round a node, with the places and metrics of the nodes opposite it side by side:
+/// for trying many places of the node.
 ///
 /// Source: none. Cost: O(triangles of the ball) to gather and for each place.
 #pragma once

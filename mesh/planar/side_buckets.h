@@ -1,5 +1,5 @@
-/// The sides of triangles by one of their nodes each, so that equal ones are found among the few of a
-/// node.
+/// The sides of triangles by one of their nodes each, so that equal ones are found among the few of
+/// a node.
 ///
 /// Source: counting sort. Cost: O(triangles + nodes); 4 bytes for each side and each node.
 #pragma once

@@ -126,9 +126,9 @@ void pair_sides(TriangleComplex& complex) {
     sides.clear();
     for (const EdgeHandle side : buckets.of(low)) {
       const std::int32_t t = triangle_of(side);
-      sides.push_back({std::max(complex.node(t, next(edge_of(side))),
-                                complex.node(t, previous(edge_of(side)))),
-                       side});
+      sides.push_back(
+          {std::max(complex.node(t, next(edge_of(side))), complex.node(t, previous(edge_of(side)))),
+           side});
     }
     std::sort(sides.begin(), sides.end());
     for (std::size_t k = 0; k < sides.size(); ++k) {

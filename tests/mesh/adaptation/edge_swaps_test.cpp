@@ -142,13 +142,43 @@ TEST(EdgeSwaps, leave_held_edges) {
   EXPECT_NEAR(plane_test::patch_lengths(swapped).at(0), 1, 1e-14);
 }
 
-TEST(EdgeSwaps, of_active_nodes_leave_the_others) {
+TEST(EdgeSwaps, of_unchecked_triangles_leave_the_others) {
   const PlaneMesh plane = shaken_square(12, 4);
   MetricMesh mesh = plane_test::metric_mesh(plane, plane_test::constant_metrics(plane, {1, 0, 1}));
   EXPECT_EQ(swap_edges(mesh, SwapCriterion::ellipse, true), 0);
   EXPECT_EQ(swap_edges(mesh, SwapCriterion::energy, true), 0);
-  mesh.active.assign(mesh.active.size(), 1);
-  EXPECT_GT(swap_edges(mesh, SwapCriterion::energy, true), 0);
+  MetricMesh of_all = mesh;
+  for (std::int32_t t = 0; t < mesh.complex.size(); ++t) note_change(mesh, t);
+  const std::int64_t swaps = swap_edges(mesh, SwapCriterion::energy, true);
+  EXPECT_GT(swaps, 0);
+  EXPECT_EQ(swap_edges(of_all, SwapCriterion::energy, false), swaps);
+  EXPECT_EQ(mesh.complex.triangles, of_all.complex.triangles);
+  EXPECT_EQ(swap_edges(mesh, SwapCriterion::energy, true), 0) << "they are checked";
+}
+
+TEST(EdgeSwaps, of_what_changed_find_all_that_there_is_to_swap) {
+  const PlaneMesh plane = plane_test::square(14);
+  MetricMesh mesh = plane_test::metric_mesh(
+      plane, plane_test::constant_metrics(plane, plane_test::round_metric(1.0 / 14)));
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> share(-0.6 / 14, 0.6 / 14);
+  swap_edges(mesh, SwapCriterion::energy, false);
+  Ball ball;
+  int swapped = 0;
+  for (int round = 0; round < 200; ++round) {
+    const auto node = static_cast<std::int32_t>(random() % at(mesh.nodes()));
+    if (!mesh.is_inside(node)) continue;
+    NodePlace place = place_of(mesh, node);
+    place.point = {place.point.x + share(random), place.point.y + share(random)};
+    collect_ball(mesh.complex, node, ball);
+    if (!sees_ball(mesh.complex, ball, place.point)) continue;
+    move_node(mesh, node, place);
+    for (const EdgeHandle corner : ball.corners) note_change(mesh, triangle_of(corner));
+    swapped += static_cast<int>(swap_edges(mesh, SwapCriterion::energy, true));
+    ASSERT_EQ(swap_edges(mesh, SwapCriterion::energy, false), 0) << round;
+    ASSERT_THAT(validate(mesh), IsEmpty());
+  }
+  EXPECT_GT(swapped, 50);
 }
 
 }  // namespace
