@@ -14,11 +14,12 @@ constexpr double close_to_the_number = 0.02;
 }  // namespace
 
 AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const TriangleComplex& complex,
-                            const AdaptationWish& wish, const AdaptationOptions& options) {
+                            AdaptationWish wish, const AdaptationOptions& options) {
   check_metrics(mesh, wish.metrics, wish.metric_name);
   AdaptedMesh adapted;
   if (!wish.vertices.has_value()) {
-    adapted.asked = limited_metric(complex, wish.metrics, wish.limits, options.sources);
+    adapted.asked =
+        limited_metric(complex, std::move(wish.metrics), wish.limits, options.sources);
     adapted.result =
         adapt_checked_mesh(mesh, complex, std::exchange(adapted.asked.metrics, {}), options);
     return adapted;

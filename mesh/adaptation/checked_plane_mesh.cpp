@@ -176,11 +176,12 @@ MetricMesh make_metric_mesh(const PlaneMesh& mesh, const TriangleComplex& comple
                             std::span<const Metric2> metrics, double corner_angle_deg,
                             std::span<const PatchCurve> curves) {
   TF_CHECK(metrics.size() == mesh.points.size() && mesh.patches.size() == mesh.edges.size());
-  TF_CHECK(complex.triangles.size() == mesh.triangles.size());
-  TF_CHECK(mesh.regions.empty() || mesh.regions.size() == mesh.triangles.size());
+  TF_CHECK(mesh.triangles.empty() || complex.triangles.size() == mesh.triangles.size());
+  const std::size_t triangles = complex.triangles.size();
+  TF_CHECK(mesh.regions.empty() || mesh.regions.size() == triangles);
   MetricMesh out;
   out.complex = complex;
-  out.regions.assign(mesh.triangles.size(), 0);
+  out.regions.assign(triangles, 0);
   std::copy(mesh.regions.begin(), mesh.regions.end(), out.regions.begin());
   out.metrics.assign(metrics.begin(), metrics.end());
   out.homes = complex.node2triangle;
@@ -188,8 +189,8 @@ MetricMesh make_metric_mesh(const PlaneMesh& mesh, const TriangleComplex& comple
   out.parameters.assign(mesh.points.size(), 0);
   out.active.assign(mesh.points.size(), 0);
   out.touched.assign(mesh.points.size(), 0);
-  out.energies.assign(mesh.triangles.size(), MetricMesh::unknown_energy);
-  out.unchecked.assign(mesh.triangles.size(), 0);
+  out.energies.assign(triangles, MetricMesh::unknown_energy);
+  out.unchecked.assign(triangles, 0);
   const std::vector<HeldEdge> held = hold_edges(mesh, out.complex);
   const TracedBoundary traced = trace_boundary(mesh, held, corner_angle_deg);
   for (const BoundaryPiece& piece : traced.pieces) add_curve(out, piece, curves);
