@@ -18,8 +18,7 @@ AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const TriangleComplex& comple
   check_metrics(mesh, wish.metrics, wish.metric_name);
   AdaptedMesh adapted;
   if (!wish.vertices.has_value()) {
-    adapted.asked =
-        limited_metric(complex, std::move(wish.metrics), wish.limits, options.sources);
+    adapted.asked = limited_metric(complex, std::move(wish.metrics), wish.limits, options.sources);
     adapted.result =
         adapt_checked_mesh(mesh, complex, std::exchange(adapted.asked.metrics, {}), options);
     return adapted;
