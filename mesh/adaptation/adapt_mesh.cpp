@@ -27,7 +27,7 @@ namespace {
 
 // What a mesh has to have missed before its nodes move: a mesh that fits is left as it is.
 constexpr FittingLimits fitting{0.68, 1.32, 6.0};
-constexpr int mendings = 4;
+constexpr int mendings = 6;
 constexpr int most_passes = 60;
 // Later on what ellipses swap energies swap back.
 constexpr int sweeps_by_ellipses = 3;
