@@ -22,6 +22,10 @@ struct Quadrilateral {
 // little at the four nodes that holds but for little.)
 constexpr float surely_best = 4.6F;
 
+// By ellipses swaps may go round in a circle where metrics vary: so many come of one edge. By
+// energy they end.
+constexpr std::int64_t most_swaps_at_once = 500;
+
 /// The two triangles that would come, by their energies.
 struct SwappedEnergies {
   double of_first = 0, of_second = 0;  ///< of (p, a, q) and (p, q, b)
@@ -97,7 +101,6 @@ void swap_edge(MetricMesh& mesh, EdgeHandle edge, std::int32_t u) {
 
 std::int64_t swap_edges(MetricMesh& mesh, SwapCriterion criterion, bool only_unchecked) {
   std::int64_t swaps = 0;
-  const std::int64_t most_swaps = 10LL * mesh.complex.size();
   const auto bit = static_cast<std::uint8_t>(criterion);
   const auto is_to_check = [&](std::int32_t t) {
     return !only_unchecked || (mesh.unchecked[at(t)] & bit) != 0;
@@ -113,7 +116,8 @@ std::int64_t swap_edges(MetricMesh& mesh, SwapCriterion criterion, bool only_unc
       // An edge between two of them is looked at from the first.
       if (other < first && known_energy(mesh, other) >= surely_best) continue;
       waiting.assign(1, edge_handle(first, i));
-      while (!waiting.empty() && swaps < most_swaps) {
+      const std::int64_t enough = swaps + most_swaps_at_once;
+      while (!waiting.empty() && swaps < enough) {
         const EdgeHandle edge = waiting.back();
         waiting.pop_back();
         SwappedEnergies after;

@@ -3,8 +3,8 @@
 ///
 /// Source: thesis 4.3.1.10 (edge swapping) in the metric. By ellipses, with the mean metric of the
 /// four nodes, a mesh leaves states that the other criterion cannot leave, but need not end where
-/// metrics vary: the number of swaps is bounded. By energy the sorted energies of the mesh only
-/// fall, so that it ends. Cost: O(edges + swaps).
+/// metrics vary: the number of swaps that one edge brings about is bounded. By energy the sorted
+/// energies of the mesh only fall, so that it ends. Cost: O(edges + swaps).
 #pragma once
 
 #include <cstdint>
