@@ -24,7 +24,7 @@ constexpr float surely_best = 4.6F;
 
 // By ellipses swaps may go round in a circle where metrics vary: so many come of one edge. By
 // energy they end.
-constexpr std::int64_t most_swaps_at_once = 500;
+constexpr std::int64_t most_swaps_at_once = 100;
 
 /// The two triangles that would come, by their energies.
 struct SwappedEnergies {
