@@ -103,7 +103,9 @@ void renumber_triangles(MetricMesh& mesh, const Renumbering& triangles) {
       edge = edge_handle(triangles.number[at(triangle_of(edge))], edge_of(edge));
     }
   }
-  for (std::int32_t& t : complex.node2triangle) t = triangles.number[at(t)];
+  for (std::int32_t& t : complex.node2triangle) {
+    if (t >= 0) t = triangles.number[at(t)];  // of nodes that have gone -1
+  }
 }
 
 }  // namespace
