@@ -102,20 +102,17 @@ ExitCode adapt_command(const AdaptCommand& command) {
   const std::int64_t start = steady_ms();
   const PlaneSources written = sources_of_command(command);
   const MetricSources sources = metric_sources_of(written.sources);
-  const CurvesOfMesh curved =
+  CurvesOfMesh curved =
       curves_of_options(command.curves, read_plane_mesh(command.input), command.corner_angle_deg);
-  const PlaneMesh& mesh = curved.mesh;
-  const TriangleComplex& complex = curved.complex;
   const bool has_solution = !command.solution.empty();
-  const std::vector<Metric2> metrics = metrics_of_command(command, curved, written);
   AdaptationWish wish;
-  wish.metrics = metrics;
+  wish.metrics = metrics_of_command(command, curved, written);
   wish.metric_name = has_solution ? command.solution : command.metric;
   wish.limits = {command.h_min.value_or(0), command.h_max.value_or(0), command.aspect,
                  gradation_of(command.gradation, has_solution && !is_thesis ? 1.4 : 0)};
   wish.vertices = command.vertices;
   if (has_solution && command.mode == "lp" && !wish.vertices.has_value()) {
-    wish.vertices = static_cast<std::int64_t>(mesh.points.size());
+    wish.vertices = static_cast<std::int64_t>(curved.mesh.points.size());
   }
   AdaptationOptions options;
   options.corner_angle_deg = command.corner_angle_deg;
@@ -130,7 +127,10 @@ ExitCode adapt_command(const AdaptCommand& command) {
     telling.sources = &written;
     telling.sources_file = command.sources;
   }
-  const AdaptedMesh adapted = adapt_to_metric(mesh, complex, wish, options);
+  curved.mesh.triangles = std::vector<TriangleComplex::Nodes>();  // the complex has them
+  const AdaptedMesh adapted =
+      adapt_to_metric(curved.mesh, curved.complex, std::move(wish), options);
+  curved.complex = TriangleComplex();  // what is written next takes as much room again
   if (!has_solution && command.metric.empty()) check_that_sources_act(telling, adapted);
   write_plane_mesh(adapted.result.mesh, command.output);
   tell_adapted(telling, adapted);

@@ -73,10 +73,10 @@ ExitCode plane_command(const PlaneCommand& command) {
       command.size.has_value() || !command.metric.empty() ? command.size : written.size;
   const CurvesOfMesh curved = curves_of_options(
       command.curves, domain_of_loops(loops_of(command.inputs)), command.corner_angle_deg);
-  const MeshWithMetrics asked = wish_of(command, size, curved.mesh);
+  MeshWithMetrics asked = wish_of(command, size, curved.mesh);
   const bool is_by_boundary = !size.has_value() && command.metric.empty();
   AdaptationWish wish;
-  wish.metrics = asked.metrics;
+  wish.metrics = std::move(asked.metrics);
   wish.metric_name = command.metric;
   wish.vertices = command.vertices;
   wish.limits.gradation = gradation_of(command.gradation, is_by_boundary ? 1.25 : 0);
@@ -90,7 +90,7 @@ ExitCode plane_command(const PlaneCommand& command) {
     telling.sources_file = command.sources;
   }
   const AdaptedMesh adapted =
-      adapt_to_metric(asked.mesh, checked_complex(asked.mesh), wish, options);
+      adapt_to_metric(asked.mesh, checked_complex(asked.mesh), std::move(wish), options);
   check_that_sources_act(telling, adapted);
   write_plane_mesh(adapted.result.mesh, command.output);
   tell_adapted(telling, adapted);

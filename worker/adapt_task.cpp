@@ -43,10 +43,9 @@ std::vector<std::vector<double>> fields_to_adapt_to(const NodeFields& solution,
 AdaptedMesh adapted(const PlaneMesh& mesh, const TriangleComplex& complex,
                     const NodeFields& solution, const LoopAdaptation& job,
                     const std::vector<PatchCurve>& curves) {
-  const std::vector<Metric2> metrics = metrics_of_solution(
-      complex, fields_to_adapt_to(solution, job.fields), {job.mode == "lp", job.norm});
   AdaptationWish wish;
-  wish.metrics = metrics;
+  wish.metrics = metrics_of_solution(complex, fields_to_adapt_to(solution, job.fields),
+                                     {job.mode == "lp", job.norm});
   wish.metric_name = "the solution";
   wish.limits = {job.h_min, job.h_max, job.aspect, job.gradation};
   wish.vertices = job.vertices;
@@ -56,7 +55,7 @@ AdaptedMesh adapted(const PlaneMesh& mesh, const TriangleComplex& complex,
   options.curves = curves;
   const MetricSources sources = metric_sources_of(job.sources);
   if (sources.size() > 0) options.sources = &sources;
-  return adapt_to_metric(mesh, complex, wish, options);
+  return adapt_to_metric(mesh, complex, std::move(wish), options);
 }
 
 TransferMethod method_of(const LoopAdaptation& job) {

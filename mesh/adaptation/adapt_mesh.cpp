@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "mesh/adaptation/edge_collapse.h"
 #include "mesh/adaptation/edge_refinement.h"
 #include "mesh/adaptation/edge_swaps.h"
+#include "mesh/adaptation/mesh_compaction.h"
 #include "mesh/adaptation/metric_scaling.h"
 #include "mesh/adaptation/metric_smoothing.h"
 #include "mesh/adaptation/misfit_mending.h"
@@ -25,8 +27,10 @@ namespace {
 
 // What a mesh has to have missed before its nodes move: a mesh that fits is left as it is.
 constexpr FittingLimits fitting{0.68, 1.32, 6.0};
-constexpr int mendings = 4;
+constexpr int mendings = 6;
 constexpr int most_passes = 60;
+// Later on what ellipses swap energies swap back.
+constexpr int sweeps_by_ellipses = 3;
 
 // Between the limits of 1/sqrt 2 and sqrt 2 lengths settle below 1: the mesh is made to a metric
 // that is coarser by this factor, so that their median is 1 in the metric that was asked for.
@@ -34,12 +38,14 @@ constexpr double length_scale = 0.945;
 constexpr double metric_factor = length_scale * length_scale;
 constexpr RefinementLimits limits_of_length{1.36, 0.69};
 
-std::vector<Metric2> scaled_metrics(std::span<const Metric2> metrics, double length_factor) {
+void scale(std::vector<Metric2>& metrics, double length_factor) {
   const double factor = length_factor * length_factor;
-  std::vector<Metric2> scaled;
-  scaled.reserve(metrics.size());
-  for (const Metric2& m : metrics) scaled.push_back(factor * m);
-  return scaled;
+  for (Metric2& m : metrics) m = factor * m;
+}
+
+/// For a field that does not outlive it.
+std::shared_ptr<const TriangleComplex> lent(const TriangleComplex& complex) {
+  return {std::shared_ptr<const void>(), &complex};
 }
 
 /// Before anything is made: a mistyped size asks for more than any memory holds.
@@ -62,9 +68,17 @@ void check_border(const PlaneMesh& mesh) {
                      mesh.name);
 }
 
+/// The first round looks at edges near active nodes, later ones at those near what has changed.
+void begin_rounds(MetricMesh& mesh) {
+  for (std::size_t v = 0; v < mesh.touched.size(); ++v) {
+    mesh.touched[v] = mesh.active[v] != 0 ? TouchedBits::now : 0;
+  }
+}
+
 void coarsen(MetricMesh& mesh) {
   for (int pass = 0; pass < most_passes; ++pass) {
-    if (collapse_edges(mesh, {0.6, 1.41421356, 60}, false) == 0) return;
+    begin_round(mesh);
+    if (collapse_edges(mesh, {0.6, 1.41421356, 60}, EdgesToVisit::touched) == 0) return;
     swap_edges(mesh, SwapCriterion::ellipse, true);
   }
 }
@@ -74,9 +88,10 @@ void refine(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity,
   RefinementLimits limits = limits_of_length;
   limits.most_triangles = options.max_triangles;
   for (int pass = 0; pass < most_passes; ++pass) {
-    while (refine_edges(mesh, field, cavity, limits, EdgesToRefine::on_curves) > 0) {
+    begin_round(mesh);
+    while (refine_edges(mesh, field, cavity, limits, EdgesToVisit::touched, true) > 0) {
     }
-    const std::int64_t nodes = refine_edges(mesh, field, cavity, limits, EdgesToRefine::all);
+    const std::int64_t nodes = refine_edges(mesh, field, cavity, limits, EdgesToVisit::touched);
     if (mesh.complex.size() - std::ssize(mesh.unused) > options.max_triangles) {
       throw InvalidInput(
           "the metric asks for more than " + std::to_string(options.max_triangles) + " triangles",
@@ -87,20 +102,20 @@ void refine(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity,
   }
 }
 
-void sweep(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity) {
-  swap_edges(mesh, SwapCriterion::ellipse, true);
+void sweep(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity, bool by_ellipses) {
+  if (by_ellipses) swap_edges(mesh, SwapCriterion::ellipse, true);
   swap_edges(mesh, SwapCriterion::energy, true);
   smooth_nodes(mesh, field);
   swap_edges(mesh, SwapCriterion::energy, true);
-  collapse_edges(mesh, {0.69, 1.36, 12}, true);
-  refine_edges(mesh, field, cavity, limits_of_length, EdgesToRefine::active);
+  collapse_edges(mesh, {0.69, 1.36, 12}, EdgesToVisit::active);
+  refine_edges(mesh, field, cavity, limits_of_length, EdgesToVisit::active);
 }
 
 void mend(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity) {
   for (int i = 0; i < mendings && mend_misfits(mesh, field, fitting) > 0; ++i) {
     swap_edges(mesh, SwapCriterion::energy, true);
-    collapse_edges(mesh, {0.665, 1.33, 8}, true);
-    refine_edges(mesh, field, cavity, {1.34, 0.67}, EdgesToRefine::active);
+    collapse_edges(mesh, {0.665, 1.33, 8}, EdgesToVisit::active);
+    refine_edges(mesh, field, cavity, {1.34, 0.67}, EdgesToVisit::active);
   }
   mend_misfits(mesh, field, fitting);
 }
@@ -108,16 +123,17 @@ void mend(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity) {
 /// The mesh with so many nodes near the sources that its edges, which are measured by the metrics
 /// of their ends, notice them. `scaled`: of the background.
 MetricMesh resolved_mesh(const PlaneMesh& input, const TriangleComplex& complex,
-                         std::span<const Metric2> scaled, const AdaptationOptions& options) {
+                         const std::vector<Metric2>& scaled, const AdaptationOptions& options) {
   const MetricSources slow = options.sources->noticeable();
-  std::vector<Metric2> metrics(scaled.begin(), scaled.end());
+  std::vector<Metric2> metrics = scaled;
   for (std::size_t v = 0; v < metrics.size(); ++v) {
     metrics[v] = slow.at(input.points[v], metrics[v], metric_factor);
   }
   MetricMesh mesh =
       make_metric_mesh(input, complex, metrics, options.corner_angle_deg, options.curves);
   EllipseCavity cavity(options.cavity);
-  refine(mesh, MetricField(complex, scaled, {&slow, metric_factor}), cavity, options);
+  mesh.touched.assign(mesh.touched.size(), TouchedBits::now);
+  refine(mesh, MetricField(lent(complex), scaled, {&slow, metric_factor}), cavity, options);
   return mesh;
 }
 
@@ -129,28 +145,62 @@ void take_metrics(MetricMesh& mesh, const MetricField& field) {
     place.metric = field.at(place.point, place.home);
     move_node(mesh, v, place);
   }
+  mesh.energies.assign(mesh.energies.size(), MetricMesh::unknown_energy);
+}
+
+/// Swaps begin with the triangles that have an active node.
+void uncheck_active(MetricMesh& mesh) {
+  for (std::int32_t t = 0; t < mesh.complex.size(); ++t) {
+    const TriangleComplex::Nodes& n = mesh.complex.nodes(t);
+    if ((mesh.active[at(n[0])] | mesh.active[at(n[1])] | mesh.active[at(n[2])]) != 0) {
+      mesh.unchecked[at(t)] = 0xff;
+    }
+  }
 }
 
 void adapt_to_unit_length(MetricMesh& mesh, const MetricField& field,
                           const AdaptationOptions& options) {
   EllipseCavity cavity(options.cavity);
+  const std::int32_t nodes = mesh.nodes();
   activate_misfits(mesh, fitting);
+  uncheck_active(mesh);
+  begin_rounds(mesh);
   coarsen(mesh);
+  begin_rounds(mesh);
   refine(mesh, field, cavity, options);
-  for (int i = 0; i < options.sweeps; ++i) sweep(mesh, field, cavity);
+  if (10 * std::ssize(mesh.unused) > mesh.complex.size() || 10 * nodes < 9 * mesh.nodes()) {
+    cavity = EllipseCavity(options.cavity);  // without its marks
+    compact(mesh);
+  }
+  for (int i = 0; i < options.sweeps; ++i) sweep(mesh, field, cavity, i < sweeps_by_ellipses);
   mend(mesh, field, cavity);
 }
 
-AdaptationResult adapted_by_mean_length(const PlaneMesh& input, TriangleComplex complex,
-                                        std::span<const Metric2> metrics,
+MeshWithMetrics adapted_to_unit_length(const PlaneMesh& input, const TriangleComplex& complex,
+                                       std::vector<Metric2> scaled,
+                                       const AdaptationOptions& options) {
+  const bool has_sources = options.sources != nullptr;
+  MetricMesh mesh = has_sources ? resolved_mesh(input, complex, scaled, options)
+                                : make_metric_mesh(input, complex, scaled, options.corner_angle_deg,
+                                                   options.curves);
+  {
+    const MetricField field(lent(complex), std::move(scaled), {options.sources, metric_factor});
+    if (has_sources && !options.sources->is_noticeable()) take_metrics(mesh, field);
+    adapt_to_unit_length(mesh, field, options);
+  }
+  return plane_mesh_of(mesh);
+}
+
+AdaptationResult adapted_by_mean_length(const PlaneMesh& input, const TriangleComplex& complex,
+                                        std::vector<Metric2> metrics,
                                         const AdaptationOptions& options) {
   TF_CHECK(options.sources == nullptr);
   const double mean = mean_edge_length(complex, metrics);
-  const std::vector<Metric2> scaled = scaled_metrics(metrics, 1 / mean);
-  check_size(complexity(complex, scaled), options.max_triangles);
+  scale(metrics, 1 / mean);
+  check_size(complexity(complex, metrics), options.max_triangles);
   MetricMesh mesh =
-      make_metric_mesh(input, complex, scaled, options.corner_angle_deg, options.curves);
-  const MetricField field(std::move(complex), scaled);
+      make_metric_mesh(input, complex, metrics, options.corner_angle_deg, options.curves);
+  const MetricField field(lent(complex), std::move(metrics));
   EllipseCavity cavity(options.cavity);
   MeanLengthRules rules = options.by_mean;
   rules.most_triangles = std::min(rules.most_triangles, options.max_triangles);
@@ -165,36 +215,30 @@ AdaptationResult adapted_by_mean_length(const PlaneMesh& input, TriangleComplex 
 
 AdaptationResult adapt_mesh(const PlaneMesh& input, std::span<const Metric2> metrics,
                             const AdaptationOptions& options) {
-  TriangleComplex complex = checked_complex(input);
+  const TriangleComplex complex = checked_complex(input);
   check_metrics(input, metrics);
-  return adapt_checked_mesh(input, std::move(complex), metrics, options);
+  return adapt_checked_mesh(input, complex, {metrics.begin(), metrics.end()}, options);
 }
 
-AdaptationResult adapt_checked_mesh(const PlaneMesh& input, TriangleComplex complex,
-                                    std::span<const Metric2> metrics,
+AdaptationResult adapt_checked_mesh(const PlaneMesh& input, const TriangleComplex& complex,
+                                    std::vector<Metric2> metrics,
                                     const AdaptationOptions& options) {
   if (options.rules == EdgeRules::mean_length) {
-    return adapted_by_mean_length(input, std::move(complex), metrics, options);
+    return adapted_by_mean_length(input, complex, std::move(metrics), options);
   }
   const bool has_sources = options.sources != nullptr;
   check_size(has_sources ? sourced_complexity(complex, metrics, *options.sources).complexity
                          : complexity(complex, metrics),
              options.max_triangles);
-  std::vector<Metric2> scaled = scaled_metrics(metrics, length_scale);
-  MetricMesh mesh = has_sources ? resolved_mesh(input, complex, scaled, options)
-                                : make_metric_mesh(input, complex, scaled, options.corner_angle_deg,
-                                                   options.curves);
-  const MetricField field(std::move(complex), scaled, {options.sources, metric_factor});
-  scaled = {};  // the field has their logarithms
-  if (has_sources && !options.sources->is_noticeable()) take_metrics(mesh, field);
-  adapt_to_unit_length(mesh, field, options);
-  MeshWithMetrics result = plane_mesh_of(mesh);
+  scale(metrics, length_scale);
+  MeshWithMetrics result = adapted_to_unit_length(input, complex, std::move(metrics), options);
   result.mesh.patch_names = input.patch_names;
   result.mesh.region_names = input.region_names;
   check_border(result.mesh);
   AdaptationResult adapted;
   adapted.mesh = std::move(result.mesh);
-  adapted.metrics = scaled_metrics(result.metrics, 1 / length_scale);
+  adapted.metrics = std::move(result.metrics);
+  scale(adapted.metrics, 1 / length_scale);
   return adapted;
 }
 

@@ -59,8 +59,7 @@ AdaptationResult adapt_mesh(const PlaneMesh& mesh, std::span<const Metric2> metr
                             const AdaptationOptions& options = {});
 
 /// The same of a mesh and metrics that are checked. `complex`: checked_complex() of the mesh.
-AdaptationResult adapt_checked_mesh(const PlaneMesh& mesh, TriangleComplex complex,
-                                    std::span<const Metric2> metrics,
-                                    const AdaptationOptions& options);
+AdaptationResult adapt_checked_mesh(const PlaneMesh& mesh, const TriangleComplex& complex,
+                                    std::vector<Metric2> metrics, const AdaptationOptions& options);
 
 }  // namespace tetfarm

@@ -14,21 +14,21 @@ constexpr double close_to_the_number = 0.02;
 }  // namespace
 
 AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const TriangleComplex& complex,
-                            const AdaptationWish& wish, const AdaptationOptions& options) {
+                            AdaptationWish wish, const AdaptationOptions& options) {
   check_metrics(mesh, wish.metrics, wish.metric_name);
   AdaptedMesh adapted;
   if (!wish.vertices.has_value()) {
-    adapted.asked = limited_metric(complex, wish.metrics, wish.limits, options.sources);
-    adapted.result = adapt_checked_mesh(mesh, complex, adapted.asked.metrics, options);
-    adapted.asked.metrics.clear();
+    adapted.asked = limited_metric(complex, std::move(wish.metrics), wish.limits, options.sources);
+    adapted.result =
+        adapt_checked_mesh(mesh, complex, std::exchange(adapted.asked.metrics, {}), options);
     return adapted;
   }
   const auto wanted = static_cast<double>(*wish.vertices);
   double complexity = wanted / nodes_per_complexity;
   for (int i = 0; i < most_tries; ++i) {
     adapted.asked = scaled_to(complex, wish.metrics, wish.limits, complexity, options.sources);
-    adapted.result = adapt_checked_mesh(mesh, complex, adapted.asked.metrics, options);
-    adapted.asked.metrics.clear();
+    adapted.result =
+        adapt_checked_mesh(mesh, complex, std::exchange(adapted.asked.metrics, {}), options);
     const double share = static_cast<double>(adapted.result.mesh.points.size()) / wanted;
     if (std::abs(share - 1) < close_to_the_number) break;
     complexity /= share;

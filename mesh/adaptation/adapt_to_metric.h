@@ -7,8 +7,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
+#include <vector>
 
 #include "mesh/adaptation/adapt_mesh.h"
 #include "mesh/adaptation/metric_scaling.h"
@@ -16,7 +16,7 @@
 namespace tetfarm {
 
 struct AdaptationWish {
-  std::span<const Metric2> metrics;  ///< at the points of the mesh
+  std::vector<Metric2> metrics;  ///< at the points of the mesh
   MetricLimits limits;
   std::optional<std::int64_t> vertices;  ///< else the metrics are taken as they are
   std::string metric_name = {};          ///< of their file, for messages
@@ -27,9 +27,9 @@ struct AdaptedMesh {
   ScaledMetric asked;  ///< on the nodes of the mesh before; without its metrics
 };
 
-/// `complex`: checked_complex() of the mesh.
+/// `complex`: checked_complex() of the mesh, whose own triangles are not looked at and may be gone.
 /// @throws InvalidInput as adapt_mesh and scaled_to do.
 AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const TriangleComplex& complex,
-                            const AdaptationWish& wish, const AdaptationOptions& options = {});
+                            AdaptationWish wish, const AdaptationOptions& options = {});
 
 }  // namespace tetfarm

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "mesh/adaptation/metric_mesh.h"
@@ -29,6 +30,19 @@ class BorderNodes {
     std::int32_t node = 0;
   };
   std::vector<Entry> by_x_;
+};
+
+/// The nodes of the border, gathered when they are first asked for: few operations need them. Until
+/// then, too, nodes may go, and none come or move.
+class LazyBorder {
+ public:
+  const BorderNodes& of(const MetricMesh& mesh) {
+    if (!nodes_.has_value()) nodes_.emplace(mesh);
+    return *nodes_;
+  }
+
+ private:
+  std::optional<BorderNodes> nodes_;
 };
 
 }  // namespace tetfarm

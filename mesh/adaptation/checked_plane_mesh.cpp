@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "base/array_index.h"
 #include "base/check.h"
@@ -14,6 +14,7 @@
 #include "mesh/adaptation/curve_tracing.h"
 #include "mesh/core/vec3.h"
 #include "mesh/geometry/hilbert_order.h"
+#include "mesh/planar/side_buckets.h"
 
 namespace tetfarm {
 namespace {
@@ -54,22 +55,23 @@ TriangleComplex::Nodes checked_triangle(const PlaneMesh& mesh, std::size_t t) {
 
 /// Each edge has at most two triangles, one on each side.
 void check_edges(const PlaneMesh& mesh, const std::vector<TriangleComplex::Nodes>& triangles) {
-  std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t>> directed;
-  directed.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      directed.emplace_back(triangles[t][i], triangles[t][(i + 1) % 3], t);
+  const SideBuckets buckets(mesh.points.size(), triangles,
+                            [](std::int32_t from, std::int32_t /*to*/) { return from; });
+  std::vector<std::pair<std::int32_t, std::int32_t>> ends;  // with their triangles
+  for (std::size_t from = 0; from < buckets.nodes(); ++from) {
+    ends.clear();
+    for (const EdgeHandle side : buckets.of(from)) {
+      const std::int32_t t = triangle_of(side);
+      ends.emplace_back(triangles[at(t)][at(previous(edge_of(side)))], t);
     }
+    std::sort(ends.begin(), ends.end());
+    const auto twice = std::adjacent_find(
+        ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+    if (twice == ends.end()) continue;
+    throw InvalidInput("lies over triangle " + std::to_string((twice + 1)->second + 1) +
+                           ": both are on the same side of an edge that they share",
+                       triangle_text(mesh, at(twice->second)));
   }
-  std::sort(directed.begin(), directed.end());
-  const auto same = [](const auto& a, const auto& b) {
-    return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
-  };
-  const auto twice = std::adjacent_find(directed.begin(), directed.end(), same);
-  if (twice == directed.end()) return;
-  throw InvalidInput("lies over triangle " + std::to_string(std::get<2>(*(twice + 1)) + 1) +
-                         ": both are on the same side of an edge that they share",
-                     triangle_text(mesh, std::get<2>(*twice)));
 }
 
 /// The piece of boundary becomes a curve of the mesh: a part of that of its patch, or the spline
@@ -96,20 +98,19 @@ void add_curve(MetricMesh& mesh, const BoundaryPiece& piece, std::span<const Pat
 /// The triangles in use along the Hilbert curve of their first nodes.
 std::vector<std::int32_t> triangles_in_order(const MetricMesh& mesh) {
   std::vector<std::int32_t> used;
-  std::vector<Vec3> places;
+  used.reserve(mesh.complex.triangles.size());
   for (std::int32_t t = 0; t < mesh.complex.size(); ++t) {
-    if (!mesh.is_used(t)) continue;
-    used.push_back(t);
+    if (mesh.is_used(t)) used.push_back(t);
+  }
+  std::vector<std::int32_t> order = hilbert_order(used.size(), [&](std::size_t k) {
     Vec2 sum;
-    for (const std::int32_t v : mesh.complex.nodes(t)) {
+    for (const std::int32_t v : mesh.complex.nodes(used[k])) {
       sum.x += mesh.complex.point(v).x;
       sum.y += mesh.complex.point(v).y;
     }
-    places.push_back({sum.x / 3, sum.y / 3, 0});
-  }
-  std::vector<std::int32_t> order;
-  order.reserve(used.size());
-  for (const std::int32_t k : hilbert_order(places)) order.push_back(used[at(k)]);
+    return Vec3{sum.x / 3, sum.y / 3, 0};
+  });
+  for (std::int32_t& k : order) k = used[at(k)];
   return order;
 }
 
@@ -175,18 +176,21 @@ MetricMesh make_metric_mesh(const PlaneMesh& mesh, const TriangleComplex& comple
                             std::span<const Metric2> metrics, double corner_angle_deg,
                             std::span<const PatchCurve> curves) {
   TF_CHECK(metrics.size() == mesh.points.size() && mesh.patches.size() == mesh.edges.size());
-  TF_CHECK(complex.triangles.size() == mesh.triangles.size());
-  TF_CHECK(mesh.regions.empty() || mesh.regions.size() == mesh.triangles.size());
+  TF_CHECK(mesh.triangles.empty() || complex.triangles.size() == mesh.triangles.size());
+  const std::size_t triangles = complex.triangles.size();
+  TF_CHECK(mesh.regions.empty() || mesh.regions.size() == triangles);
   MetricMesh out;
   out.complex = complex;
-  out.regions.assign(mesh.triangles.size(), 0);
+  out.regions.assign(triangles, 0);
   std::copy(mesh.regions.begin(), mesh.regions.end(), out.regions.begin());
   out.metrics.assign(metrics.begin(), metrics.end());
-  for (const Metric2& m : metrics) out.densities.push_back(std::sqrt(determinant(m)));
   out.homes = complex.node2triangle;
   out.curve_of_node.assign(mesh.points.size(), MetricMesh::inside);
   out.parameters.assign(mesh.points.size(), 0);
   out.active.assign(mesh.points.size(), 0);
+  out.touched.assign(mesh.points.size(), 0);
+  out.energies.assign(triangles, MetricMesh::unknown_energy);
+  out.unchecked.assign(triangles, 0);
   const std::vector<HeldEdge> held = hold_edges(mesh, out.complex);
   const TracedBoundary traced = trace_boundary(mesh, held, corner_angle_deg);
   for (const BoundaryPiece& piece : traced.pieces) add_curve(out, piece, curves);
@@ -207,7 +211,10 @@ MeshWithMetrics plane_mesh_of(const MetricMesh& mesh) {
     }
     return number;
   };
-  for (const std::int32_t t : triangles_in_order(mesh)) {
+  const std::vector<std::int32_t> order = triangles_in_order(mesh);
+  out.mesh.triangles.reserve(order.size());
+  out.mesh.regions.reserve(order.size());
+  for (const std::int32_t t : order) {
     const TriangleComplex::Nodes& n = mesh.complex.nodes(t);
     const std::int32_t a = number_of(n[0]);
     const std::int32_t b = number_of(n[1]);

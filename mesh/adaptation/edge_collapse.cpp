@@ -25,31 +25,39 @@ bool can_go(const MetricMesh& mesh, EdgeHandle corner, std::int32_t target) {
          !mesh.complex.is_constrained(t, of_target);
 }
 
+/// Whether the edge from the target would be too long. One beyond the limit may come where the one
+/// that goes is longer still.
+bool is_too_long(const MetricMesh& mesh, std::int32_t node, std::int32_t target, std::int32_t other,
+                 double longest) {
+  return is_longer(mesh, target, other, longest) &&
+         edge_length(mesh, target, other) > edge_length(mesh, node, other);
+}
+
 /// Whether the triangles that stay are valid, with edges and shapes within the limits.
-bool may_collapse(const MetricMesh& mesh, std::int32_t node, std::int32_t target,
+bool may_collapse(MetricMesh& mesh, std::int32_t node, std::int32_t target,
                   const CollapseLimits& limits, const Ball& ball) {
-  // An edge beyond the limit may come where the one that goes is longer still.
-  const auto is_too_long = [&](std::int32_t other) {
-    const double length = edge_length(mesh, target, other);
-    return length > limits.longest && length > edge_length(mesh, node, other);
-  };
-  double worst_before = 0;
-  double worst_after = 0;
   for (const EdgeHandle corner : ball.corners) {
     const OppositeEdge ring = opposite_edge(mesh.complex, corner);
-    worst_before = std::max(worst_before, triangle_energy(mesh, {node, ring.before, ring.after}));
     if (ring.before == target || ring.after == target) {
       if (!can_go(mesh, corner, target)) return false;
       continue;
     }
-    if (orient2d(mesh.complex.point(target), mesh.complex.point(ring.before),
-                 mesh.complex.point(ring.after)) <= 0) {
+    if (is_too_long(mesh, node, target, ring.before, limits.longest) ||
+        is_too_long(mesh, node, target, ring.after, limits.longest)) {
       return false;
     }
-    worst_after = std::max(worst_after, triangle_energy(mesh, {target, ring.before, ring.after}));
-    if (is_too_long(ring.before) || is_too_long(ring.after)) return false;
   }
-  return worst_after <= std::max(limits.worst_energy, worst_before);
+  double worst_before = limits.worst_energy;
+  for (const EdgeHandle corner : ball.corners) {
+    worst_before = std::max<double>(worst_before, known_energy(mesh, triangle_of(corner)));
+  }
+  return std::all_of(ball.corners.begin(), ball.corners.end(), [&](EdgeHandle corner) {
+    const OppositeEdge ring = opposite_edge(mesh.complex, corner);
+    if (ring.before == target || ring.after == target) return true;
+    return triangle_energy(mesh, {target, ring.before, ring.after}) <= worst_before &&
+           orient2d(mesh.complex.point(target), mesh.complex.point(ring.before),
+                    mesh.complex.point(ring.after)) > 0;
+  });
 }
 
 /// The two nodes next to the node on its curve.
@@ -72,13 +80,14 @@ std::array<std::int32_t, 2> ends_on_curve(const MetricMesh& mesh, std::int32_t n
 /// is such an edge already (of a hole or of a line inside there would be nothing left), or where
 /// another wall is in its way.
 bool join_curve_edges(MetricMesh& mesh, std::int32_t node, std::int32_t target, const Ball& ball,
-                      const BorderNodes* border) {
+                      LazyBorder* border) {
   const std::int32_t curve = mesh.curve_of_node[at(node)];
   if (curve < 0) return true;
   const std::array<std::int32_t, 2> ends = ends_on_curve(mesh, node, ball);
   const std::int32_t other = ends[0] == target ? ends[1] : ends[0];
   if (curve_of_edge(mesh, target, other) >= 0) return false;
-  if (border != nullptr && !ball.is_closed && border->any_in_triangle(mesh, node, target, other)) {
+  if (border != nullptr && !ball.is_closed &&
+      border->of(mesh).any_in_triangle(mesh, node, target, other)) {
     return false;
   }
   for (const std::int32_t end : ends) mesh.curve_of_edge.erase(edge_key(node, end));
@@ -109,7 +118,7 @@ void remove_triangle(MetricMesh& mesh, EdgeHandle corner, std::int32_t target) {
 }  // namespace
 
 bool collapse_node(MetricMesh& mesh, std::int32_t node, std::int32_t target,
-                   const CollapseLimits& limits, Ball& ball, const BorderNodes* border) {
+                   const CollapseLimits& limits, Ball& ball, LazyBorder* border) {
   TF_CHECK(node != target);
   if (!may_join(mesh, node, target)) return false;
   collect_ball(mesh.complex, node, ball);
@@ -126,6 +135,9 @@ bool collapse_node(MetricMesh& mesh, std::int32_t node, std::int32_t target,
     const OppositeEdge ring = opposite_edge(mesh.complex, corner);
     mesh.active[at(ring.before)] = 1;
     mesh.active[at(ring.after)] = 1;
+    mesh.touched[at(ring.before)] |= TouchedBits::now;
+    mesh.touched[at(ring.after)] |= TouchedBits::now;
+    note_change(mesh, triangle_of(corner));
     if (ring.before == target || ring.after == target) continue;
     mesh.complex.triangles[at(triangle_of(corner))][at(edge_of(corner))] = target;
   }
@@ -143,16 +155,15 @@ bool collapse_node(MetricMesh& mesh, std::int32_t node, std::int32_t target,
   return true;
 }
 
-std::int64_t collapse_edges(MetricMesh& mesh, const CollapseLimits& limits, bool only_active) {
+std::int64_t collapse_edges(MetricMesh& mesh, const CollapseLimits& limits, EdgesToVisit which) {
   std::int64_t gone = 0;
   Ball ball;
-  const BorderNodes border(mesh);
+  LazyBorder border;
   for (std::int32_t t = 0; t < mesh.complex.size(); ++t) {
     for (int i = 0; i < 3 && mesh.is_used(t); ++i) {
       const std::int32_t a = mesh.complex.node(t, next(i));
       const std::int32_t b = mesh.complex.node(t, previous(i));
-      if (only_active && mesh.active[at(a)] == 0 && mesh.active[at(b)] == 0) continue;
-      if (edge_length(mesh, a, b) >= limits.shortest) continue;
+      if (!is_to_visit(mesh, which, a, b) || !is_shorter(mesh, a, b, limits.shortest)) continue;
       if (collapse_node(mesh, a, b, limits, ball, &border) ||
           collapse_node(mesh, b, a, limits, ball, &border)) {
         ++gone;

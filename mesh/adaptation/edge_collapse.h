@@ -17,14 +17,13 @@ struct CollapseLimits {
   double worst_energy = 12;
 };
 
-/// Goes over all edges once (of the active nodes alone, where asked for). Returns how many nodes
-/// went.
-std::int64_t collapse_edges(MetricMesh& mesh, const CollapseLimits& limits, bool only_active);
+/// Goes over the edges once. Returns how many nodes went.
+std::int64_t collapse_edges(MetricMesh& mesh, const CollapseLimits& limits, EdgesToVisit which);
 
 /// Joins `node` to `target` along their edge, if that is allowed. False with nothing changed.
 /// `border`: of the mesh, where a node of a border may go: it stays where the new edge would meet
 /// another wall.
 bool collapse_node(MetricMesh& mesh, std::int32_t node, std::int32_t target,
-                   const CollapseLimits& limits, Ball& ball, const BorderNodes* border = nullptr);
+                   const CollapseLimits& limits, Ball& ball, LazyBorder* border = nullptr);
 
 }  // namespace tetfarm

@@ -113,21 +113,20 @@ bool divide_edge(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavi
 }
 
 std::int64_t refine_edges(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity,
-                          const RefinementLimits& limits, EdgesToRefine which) {
+                          const RefinementLimits& limits, EdgesToVisit which, bool only_on_curves) {
   std::int64_t nodes = 0;
   // Triangles that come meanwhile have their turn the next time.
   const std::int32_t triangles = mesh.complex.size();
   const std::int32_t nodes_before = mesh.nodes();
   for (std::int32_t t = 0; t < triangles; ++t) {
+    if (only_on_curves && mesh.complex.constrained[at(t)] == 0) continue;
     for (int i = 0; i < 3 && mesh.is_used(t); ++i) {
       const EdgeHandle other = mesh.complex.neighbour(t, i);
       if (other != no_edge && triangle_of(other) < t) continue;
       const std::int32_t a = mesh.complex.node(t, next(i));
       const std::int32_t b = mesh.complex.node(t, previous(i));
-      if (which == EdgesToRefine::on_curves && !mesh.complex.is_constrained(t, i)) continue;
-      if (which == EdgesToRefine::active && mesh.active[at(a)] == 0 && mesh.active[at(b)] == 0)
-        continue;
-      if (edge_length(mesh, a, b) <= limits.longest) continue;
+      if (only_on_curves && !mesh.complex.is_constrained(t, i)) continue;
+      if (!is_to_visit(mesh, which, a, b) || !is_longer(mesh, a, b, limits.longest)) continue;
       if (limits.at_middles) {
         if (std::max(a, b) >= nodes_before) continue;  // half of an edge
         nodes += divide_edge(mesh, field, cavity, edge_handle(t, i), 0.5, limits.shortest) ? 1 : 0;

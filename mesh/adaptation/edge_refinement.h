@@ -19,15 +19,11 @@ struct RefinementLimits {
   bool at_middles = false;
 };
 
-enum class EdgesToRefine {
-  on_curves,  ///< nodes inside that are too near to a new one join it
-  all,
-  active  ///< those with an active node
-};
-
-/// Goes over the edges once. Returns how many nodes came.
+/// Goes over the edges once; over those on curves alone, where asked for: nodes inside that are too
+/// near to a new one there join it. Returns how many nodes came.
 std::int64_t refine_edges(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity,
-                          const RefinementLimits& limits, EdgesToRefine which);
+                          const RefinementLimits& limits, EdgesToVisit which,
+                          bool only_on_curves = false);
 
 /// One node on the edge at the given share of its length from the node that it begins with. False,
 /// with nothing changed, where a new edge would be shorter than `shortest`; on a curve that counts

@@ -3,17 +3,21 @@
 ///
 /// Source: thesis 4.3.1.10 (edge swapping) in the metric. By ellipses, with the mean metric of the
 /// four nodes, a mesh leaves states that the other criterion cannot leave, but need not end where
-/// metrics vary: the number of swaps is bounded. By energy the sorted energies of the mesh only
-/// fall, so that it ends. Cost: O(edges + swaps).
+/// metrics vary: the number of swaps that one edge brings about is bounded. By energy the sorted
+/// energies of the mesh only fall, so that it ends. Cost: O(edges + swaps).
 #pragma once
+
+#include <cstdint>
 
 #include "mesh/adaptation/metric_mesh.h"
 
 namespace tetfarm {
 
-enum class SwapCriterion { ellipse, energy };
+/// Bits of MetricMesh::unchecked.
+enum class SwapCriterion : std::uint8_t { ellipse = 1, energy = 2 };
 
-/// Of the active nodes alone, where asked for. Returns how many edges were swapped.
-std::int64_t swap_edges(MetricMesh& mesh, SwapCriterion criterion, bool only_active);
+/// Of unchecked triangles alone, where asked for; afterwards all are checked by this criterion.
+/// Returns how many edges were swapped.
+std::int64_t swap_edges(MetricMesh& mesh, SwapCriterion criterion, bool only_unchecked);
 
 }  // namespace tetfarm

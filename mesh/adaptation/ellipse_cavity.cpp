@@ -78,11 +78,12 @@ bool EllipseCavity::open(const MetricMesh& mesh, const NodePlace& place, EdgeHan
   ++stamp_;
   const std::size_t nodes = mesh.complex.points.size();
   if (node_stamps_.size() < nodes + 1) {
-    node_stamps_.resize(2 * nodes + 64, 0);
-    starts_.resize(2 * nodes + 64, -1);
+    node_stamps_.resize(nodes + nodes / 4 + 64, 0);
+    starts_.resize(nodes + nodes / 4 + 64, -1);
   }
-  if (triangle_stamps_.size() < mesh.complex.triangles.size()) {
-    triangle_stamps_.resize(2 * mesh.complex.triangles.size() + 64, 0);
+  const std::size_t triangles = mesh.complex.triangles.size();
+  if (triangle_stamps_.size() < triangles) {
+    triangle_stamps_.resize(triangles + triangles / 4 + 64, 0);
   }
   triangles_.clear();
   rings_.clear();
@@ -172,11 +173,13 @@ void EllipseCavity::fill(MetricMesh& mesh, std::int32_t node) {
     const std::int32_t t = taken < triangles_.size() ? triangles_[taken++] : take_triangle(mesh);
     mesh.complex.set_triangle(t, {node, edge.from, edge.to});
     mesh.regions[at(t)] = edge.region;
+    note_change(mesh, t);
     mesh.complex.glue(edge_handle(t, 0), edge.outside);
     if (edge.is_constrained) mesh.complex.constrain(edge_handle(t, 0), true);
     starts_[at(edge.from)] = t;
     edge.outside = t;
     mesh.active[at(edge.from)] = 1;
+    mesh.touched[at(edge.from)] |= TouchedBits::now;
   }
   TF_CHECK(taken == triangles_.size());
   for (const RimEdge& edge : rim_) {

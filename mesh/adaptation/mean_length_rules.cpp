@@ -39,8 +39,8 @@ int adapt_by_mean_length(MetricMesh& mesh, const MetricField& field, EllipseCavi
   limits.at_middles = true;
   const CollapseLimits collapse{rules.shortest, rules.longest, worst_energy_of_collapse};
   for (int pass = 1; pass <= rules.passes; ++pass) {
-    const std::int64_t gone = collapse_edges(mesh, collapse, false);
-    const std::int64_t came = refine_edges(mesh, field, cavity, limits, EdgesToRefine::all);
+    const std::int64_t gone = collapse_edges(mesh, collapse, EdgesToVisit::all);
+    const std::int64_t came = refine_edges(mesh, field, cavity, limits, EdgesToVisit::all);
     if (gone + came == 0) return pass;
     std::fill(mesh.active.begin(), mesh.active.end(), std::uint8_t{1});
     swap_edges(mesh, SwapCriterion::ellipse, false);

@@ -16,22 +16,21 @@ constexpr int longest_walk = 100'000;
 
 }  // namespace
 
-MetricField::MetricField(TriangleComplex background, std::span<const Metric2> metrics,
-                         const SourcesOfField& sources)
-    : background_(std::move(background)), sources_(sources) {
-  TF_CHECK(metrics.size() == background_.points.size());
-  logs_.reserve(metrics.size());
-  for (const Metric2& m : metrics) logs_.push_back(log_of(m));
+MetricField::MetricField(std::shared_ptr<const TriangleComplex> background,
+                         std::vector<Metric2> metrics, const SourcesOfField& sources)
+    : background_(std::move(background)), logs_(std::move(metrics)), sources_(sources) {
+  TF_CHECK(logs_.size() == background_->points.size());
+  for (Metric2& m : logs_) m = log_of(m);
 }
 
 Metric2 MetricField::at(const Vec2& point, std::int32_t& home) const {
-  std::array<double, 3> areas = walk_to(background_, point, home, longest_walk);
+  std::array<double, 3> areas = walk_to(*background_, point, home, longest_walk);
   double sum = 0;
   for (double& area : areas) {
     area = std::max(area, 0.0);
     sum += area;
   }
-  const TriangleComplex::Nodes& n = background_.nodes(home);
+  const TriangleComplex::Nodes& n = background_->nodes(home);
   Metric2 log{0, 0, 0};
   for (int i = 0; i < 3; ++i) {
     const Metric2& of_node = logs_[tetfarm::at(n[tetfarm::at(i)])];

@@ -8,7 +8,8 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "mesh/adaptation/metric_sources.h"
@@ -27,20 +28,24 @@ struct SourcesOfField {
 class MetricField {
  public:
   /// `metrics` at the points of the triangles. @pre each is_metric; triangles are valid
-  MetricField(TriangleComplex background, std::span<const Metric2> metrics,
+  MetricField(std::shared_ptr<const TriangleComplex> background, std::vector<Metric2> metrics,
               const SourcesOfField& sources = {});
+  MetricField(TriangleComplex background, std::vector<Metric2> metrics,
+              const SourcesOfField& sources = {})
+      : MetricField(std::make_shared<const TriangleComplex>(std::move(background)),
+                    std::move(metrics), sources) {}
 
   /// The metric at a point; one outside gets that of the nearest place of the triangle where the
   /// walk ended. `home`: a triangle near the point; becomes the one that holds it.
   Metric2 at(const Vec2& point, std::int32_t& home) const;
   /// A triangle that holds the node of the background.
   std::int32_t home_of_node(std::int32_t node) const {
-    return background_.node2triangle[static_cast<std::size_t>(node)];
+    return background_->node2triangle[static_cast<std::size_t>(node)];
   }
-  const TriangleComplex& background() const { return background_; }
+  const TriangleComplex& background() const { return *background_; }
 
  private:
-  TriangleComplex background_;
+  std::shared_ptr<const TriangleComplex> background_;
   std::vector<Metric2> logs_;
   SourcesOfField sources_;
 };

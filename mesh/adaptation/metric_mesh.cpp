@@ -26,7 +26,28 @@ void validate_boundary(const MetricMesh& mesh, Complaints& wrong) {
   if (constrained != mesh.curve_of_edge.size()) wrong.add("an edge of a curve is missing");
 }
 
+void validate_energies(const MetricMesh& mesh, Complaints& wrong) {
+  for (std::int32_t t = 0; t < mesh.complex.size() && !wrong.full(); ++t) {
+    const float energy = mesh.energies[at(t)];
+    if (!mesh.is_used(t) || energy < 0) continue;
+    const double right = noted_energy(triangle_energy(mesh, mesh.complex.nodes(t)));
+    if (std::abs(energy - right) <= 1e-5 * right) continue;
+    wrong.add("triangle " + std::to_string(t) + " has another energy than is noted");
+  }
+}
+
 }  // namespace
+
+void begin_round(MetricMesh& mesh) {
+  for (std::uint8_t& bits : mesh.touched) {
+    bits = (bits & TouchedBits::now) != 0 ? TouchedBits::before : 0;
+  }
+}
+
+void note_change(MetricMesh& mesh, std::int32_t triangle) {
+  mesh.energies[at(triangle)] = MetricMesh::unknown_energy;
+  mesh.unchecked[at(triangle)] = 0xff;
+}
 
 std::uint64_t edge_key(std::int32_t a, std::int32_t b) {
   const auto low = static_cast<std::uint64_t>(std::min(a, b));
@@ -52,18 +73,17 @@ double parameter_on(const MetricMesh& mesh, std::int32_t curve, std::int32_t nod
 std::int32_t add_node(MetricMesh& mesh, const NodePlace& place) {
   mesh.complex.add_point(place.point);
   mesh.metrics.push_back(place.metric);
-  mesh.densities.push_back(std::sqrt(determinant(place.metric)));
   mesh.homes.push_back(place.home);
   mesh.curve_of_node.push_back(MetricMesh::inside);
   mesh.parameters.push_back(0);
   mesh.active.push_back(1);
+  mesh.touched.push_back(TouchedBits::now);
   return mesh.nodes() - 1;
 }
 
 void move_node(MetricMesh& mesh, std::int32_t node, const NodePlace& place) {
   mesh.complex.points[at(node)] = place.point;
   mesh.metrics[at(node)] = place.metric;
-  mesh.densities[at(node)] = std::sqrt(determinant(place.metric));
   mesh.homes[at(node)] = place.home;
 }
 
@@ -74,6 +94,8 @@ std::int32_t take_triangle(MetricMesh& mesh) {
     return t;
   }
   mesh.regions.push_back(0);
+  mesh.energies.push_back(MetricMesh::unknown_energy);
+  mesh.unchecked.push_back(0);
   return mesh.complex.add_triangle();
 }
 
@@ -92,25 +114,30 @@ void collect_ball(const TriangleComplex& complex, std::int32_t node, Ball& ball)
   TF_CHECK(first >= 0);
   std::int32_t t = first;
   int local = complex.local_node(t, node);
-  // Clockwise to the border, where there is one, and then all of them anticlockwise.
-  for (;;) {
-    const EdgeHandle back = complex.neighbour(t, previous(local));
-    if (back == no_edge) {
-      ball.is_closed = false;
-      break;
-    }
-    t = triangle_of(back);
-    local = previous(edge_of(back));
-    if (t == first) break;
-  }
-  const std::int32_t start = t;
   do {
     ball.corners.push_back(edge_handle(t, local));
     const EdgeHandle onward = complex.neighbour(t, next(local));
-    if (onward == no_edge) break;
+    if (onward == no_edge) {
+      ball.is_closed = false;
+      break;
+    }
     t = triangle_of(onward);
     local = next(edge_of(onward));
-  } while (t != start);
+  } while (t != first);
+  if (ball.is_closed) return;
+  // From the border on: those on the other side of the first come before it.
+  const auto from_first = static_cast<std::ptrdiff_t>(ball.corners.size());
+  t = first;
+  local = complex.local_node(t, node);
+  for (;;) {
+    const EdgeHandle back = complex.neighbour(t, previous(local));
+    if (back == no_edge) break;
+    t = triangle_of(back);
+    local = previous(edge_of(back));
+    ball.corners.push_back(edge_handle(t, local));
+  }
+  std::reverse(ball.corners.begin() + from_first, ball.corners.end());
+  std::rotate(ball.corners.begin(), ball.corners.begin() + from_first, ball.corners.end());
 }
 
 bool sees_ball(const TriangleComplex& complex, const Ball& ball, const Vec2& point) {
@@ -145,6 +172,7 @@ std::vector<std::string> validate(const MetricMesh& mesh) {
     }
   }
   validate_boundary(mesh, wrong);
+  validate_energies(mesh, wrong);
   return wrong.take();
 }
 

@@ -4,6 +4,8 @@
 /// metrics come from the background (MetricField) when a node is made or moved.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -25,8 +27,10 @@ struct MeshCurve {
 };
 
 /// Invariants: those of TriangleComplex for the triangles in use; 2. constrained edges are those of
-/// `curve_of_edge`; 3. a node with curve >= 0 lies at its parameter.
+/// `curve_of_edge`; 3. a node with curve >= 0 lies at its parameter; 4. an energy that is known is
+/// that of its triangle.
 struct MetricMesh {
+  static constexpr float unknown_energy = -1;
   static constexpr std::int32_t inside = -1;  ///< for curve_of_node: on no curve
   static constexpr std::int32_t corner = -2;  ///< never moves, never goes
 
@@ -35,11 +39,16 @@ struct MetricMesh {
   std::vector<std::int32_t> unused;   ///< triangles that are none; their first node is -1
 
   std::vector<Metric2> metrics;
-  std::vector<double> densities;            ///< square roots of the determinants
   std::vector<std::int32_t> homes;          ///< triangles of the background
   std::vector<std::int32_t> curve_of_node;  ///< number of a curve, `inside` or `corner`
   std::vector<double> parameters;           ///< on that curve
   std::vector<std::uint8_t> active;         ///< near something that changed, or is to be mended
+  std::vector<std::uint8_t> touched;        ///< of each node: bits of TouchedBits
+
+  /// Of each triangle: triangle_energy(), rounded; `unknown_energy` where it has to be taken anew.
+  std::vector<float> energies;
+  /// Of each triangle: bits of SwapCriterion by which its edges are to be looked at.
+  std::vector<std::uint8_t> unchecked;
 
   std::vector<MeshCurve> curves;
   std::unordered_map<std::uint64_t, std::int32_t> curve_of_edge;
@@ -50,6 +59,30 @@ struct MetricMesh {
     return curve_of_node[static_cast<std::size_t>(node)] == inside;
   }
 };
+
+/// Of `touched`: something changed in the ball of the node, since the round began or in that
+/// before.
+struct TouchedBits {
+  static constexpr std::uint8_t now = 1, before = 2;
+};
+/// What is touched from now on belongs to the next round.
+void begin_round(MetricMesh& mesh);
+/// The triangle has another shape or other nodes: its energy is unknown and its edges unchecked.
+void note_change(MetricMesh& mesh, std::int32_t triangle);
+
+/// Which edges an operation looks at.
+enum class EdgesToVisit {
+  all,
+  active,  ///< those with an active node
+  touched  ///< those with a node that was touched in this round or the one before
+};
+inline bool is_to_visit(const MetricMesh& mesh, EdgesToVisit which, std::int32_t a,
+                        std::int32_t b) {
+  if (which == EdgesToVisit::all) return true;
+  const std::vector<std::uint8_t>& marks =
+      which == EdgesToVisit::active ? mesh.active : mesh.touched;
+  return (marks[at(a)] | marks[at(b)]) != 0;
+}
 
 std::uint64_t edge_key(std::int32_t a, std::int32_t b);
 /// -1 when the edge is on none.
@@ -66,6 +99,7 @@ struct NodePlace {
 };
 
 std::int32_t add_node(MetricMesh& mesh, const NodePlace& place);
+/// Its triangles are not told: see note_change().
 void move_node(MetricMesh& mesh, std::int32_t node, const NodePlace& place);
 inline NodePlace place_of(const MetricMesh& mesh, std::int32_t node) {
   return {mesh.complex.point(node), mesh.metrics[at(node)], mesh.homes[at(node)]};
@@ -87,36 +121,75 @@ inline double edge_length(const MetricMesh& mesh, const NodePlace& place, std::i
                         mesh.metrics[at(node)]);
 }
 
+/// Whether an edge of the squared lengths a and b by its two ends is longer than the limit: mostly
+/// without the roots and the logarithm, as its length lies between the two.
+inline bool is_longer(double a, double b, double limit) {
+  const double square = limit * limit;
+  if (std::max(a, b) <= square) return false;
+  if (std::min(a, b) > square * (1 + 1e-12)) return true;
+  return length_between(std::sqrt(a), std::sqrt(b)) > limit;
+}
+inline bool is_shorter(double a, double b, double limit) {
+  const double square = limit * limit;
+  if (std::min(a, b) >= square) return false;
+  if (std::max(a, b) < square * (1 - 1e-12)) return true;
+  return length_between(std::sqrt(a), std::sqrt(b)) < limit;
+}
+/// The squared lengths of an edge by its two ends.
+struct SquaredLengths {
+  double first = 0, second = 0;
+};
+inline SquaredLengths squared_lengths(const MetricMesh& mesh, std::int32_t a, std::int32_t b) {
+  const Vec2& p = mesh.complex.point(a);
+  const Vec2& q = mesh.complex.point(b);
+  const Vec2 edge{q.x - p.x, q.y - p.y};
+  return {squared_length(mesh.metrics[at(a)], edge), squared_length(mesh.metrics[at(b)], edge)};
+}
+inline bool is_longer(const MetricMesh& mesh, std::int32_t a, std::int32_t b, double limit) {
+  const SquaredLengths squares = squared_lengths(mesh, a, b);
+  return is_longer(squares.first, squares.second, limit);
+}
+inline bool is_shorter(const MetricMesh& mesh, std::int32_t a, std::int32_t b, double limit) {
+  const SquaredLengths squares = squared_lengths(mesh, a, b);
+  return is_shorter(squares.first, squares.second, limit);
+}
+
 /// How far a triangle is from an equilateral one of unit edges, by the mean of the metrics of its
 /// nodes: the symmetric Dirichlet energy |J|² + |J⁻¹|² of the map from that triangle, 4 when equal;
 /// infinite when it does not turn anticlockwise.
-inline double triangle_energy(const Vec2& a, const Vec2& b, const Vec2& c, const Metric2& mean) {
-  const Vec2 u{b.x - a.x, b.y - a.y};
-  const Vec2 v{c.x - a.x, c.y - a.y};
-  const Vec2 w{c.x - b.x, c.y - b.y};
-  const double doubled = u.x * v.y - u.y * v.x;
-  const double det = mean.xx * mean.yy - mean.xy * mean.xy;
+/// `sum`: of the three metrics.
+inline double energy_of_sides(const Vec2& u, const Vec2& v, double doubled, const Metric2& sum) {
+  const double det = sum.xx * sum.yy - sum.xy * sum.xy;
   if (!(doubled > 0) || !(det > 0)) return std::numeric_limits<double>::infinity();
-  const double squares =
-      squared_length(mean, u) + squared_length(mean, v) + squared_length(mean, w);
-  // |J|² is 2/3 of the squares, and the determinant of J the area over that of the unit triangle.
-  const double area_squared = doubled * doubled * det * (4.0 / 3);
-  return 2.0 / 3 * squares * (1 + 1 / area_squared);
+  const Vec2 w{v.x - u.x, v.y - u.y};
+  const double squares = sum.xx * (u.x * u.x + v.x * v.x + w.x * w.x) +
+                         2 * sum.xy * (u.x * u.y + v.x * v.y + w.x * w.y) +
+                         sum.yy * (u.y * u.y + v.y * v.y + w.y * w.y);
+  // |J|² is 2/3 of the squares by the mean, and the determinant of J the area over that of the unit
+  // triangle.
+  return 2.0 / 9 * squares * (1 + 6.75 / (doubled * doubled * det));
 }
-inline Metric2 mean_metric(const Metric2& a, const Metric2& b, const Metric2& c) {
-  return {(a.xx + b.xx + c.xx) / 3, (a.xy + b.xy + c.xy) / 3, (a.yy + b.yy + c.yy) / 3};
+inline Metric2 sum_of(const Metric2& a, const Metric2& b) {
+  return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
 }
 inline double triangle_energy(const MetricMesh& mesh, const TriangleComplex::Nodes& nodes) {
   const auto& [a, b, c] = nodes;
-  return triangle_energy(
-      mesh.complex.point(a), mesh.complex.point(b), mesh.complex.point(c),
-      mean_metric(mesh.metrics[at(a)], mesh.metrics[at(b)], mesh.metrics[at(c)]));
+  const Vec2& p = mesh.complex.point(a);
+  const Vec2& q = mesh.complex.point(b);
+  const Vec2& r = mesh.complex.point(c);
+  const Vec2 u{q.x - p.x, q.y - p.y};
+  const Vec2 v{r.x - p.x, r.y - p.y};
+  return energy_of_sides(
+      u, v, u.x * v.y - u.y * v.x,
+      sum_of(sum_of(mesh.metrics[at(a)], mesh.metrics[at(b)]), mesh.metrics[at(c)]));
 }
-/// Of a node at the place, with two of the mesh.
-inline double triangle_energy(const MetricMesh& mesh, const NodePlace& place, std::int32_t b,
-                              std::int32_t c) {
-  return triangle_energy(place.point, mesh.complex.point(b), mesh.complex.point(c),
-                         mean_metric(place.metric, mesh.metrics[at(b)], mesh.metrics[at(c)]));
+/// As it is noted.
+inline float noted_energy(double energy) { return static_cast<float>(std::min(energy, 1e30)); }
+/// The same, taken once for as long as the triangle does not change.
+inline float known_energy(MetricMesh& mesh, std::int32_t triangle) {
+  float& energy = mesh.energies[at(triangle)];
+  if (energy < 0) energy = noted_energy(triangle_energy(mesh, mesh.complex.nodes(triangle)));
+  return energy;
 }
 
 /// The triangles round a node, anticlockwise; from the border on where it has one. Triangles

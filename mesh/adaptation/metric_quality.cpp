@@ -15,15 +15,25 @@ namespace {
 
 Vec2 edge_from(const Vec2& a, const Vec2& b) { return {b.x - a.x, b.y - a.y}; }
 
-double largest_angle_deg(const std::array<Vec2, 3>& p) {
-  double largest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec2 u = edge_from(p[i], p[(i + 1) % 3]);
-    const Vec2 v = edge_from(p[i], p[(i + 2) % 3]);
-    largest = std::max(largest, std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y));
+/// The largest angle so far, by its sine and cosine, but for scale.
+struct LargestAngle {
+  double sine = 0, cosine = 1;
+
+  /// Of the triangle's angles; without an arc tangent for each.
+  void note(const std::array<Vec2, 3>& p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec2 u = edge_from(p[i], p[(i + 1) % 3]);
+      const Vec2 v = edge_from(p[i], p[(i + 2) % 3]);
+      const double of_sine = u.x * v.y - u.y * v.x;
+      const double of_cosine = u.x * v.x + u.y * v.y;
+      // Angles are within half a turn, where the cotangent falls.
+      if (of_cosine * sine >= cosine * of_sine) continue;
+      sine = of_sine;
+      cosine = of_cosine;
+    }
   }
-  return largest * 180 / std::numbers::pi;
-}
+  double degrees() const { return std::atan2(sine, cosine) * 180 / std::numbers::pi; }
+};
 
 double quality_of(const std::array<Vec2, 3>& p, const Metric2& densest) {
   const Vec2 u = edge_from(p[0], p[1]);
@@ -43,6 +53,8 @@ MetricQuality metric_quality(const TriangleComplex& complex, std::span<const Met
   std::int64_t edges = 0;
   std::int64_t unit_edges = 0;
   std::vector<double> qualities;
+  qualities.reserve(at(complex.size()));
+  LargestAngle largest;
   double sum = 0;
   for (std::int32_t t = 0; t < complex.size(); ++t) {
     const TriangleComplex::Nodes& n = complex.nodes(t);
@@ -75,8 +87,9 @@ MetricQuality metric_quality(const TriangleComplex& complex, std::span<const Met
       result.quality_min = quality;
       result.worst_at = {(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
     }
-    result.max_angle_deg = std::max(result.max_angle_deg, largest_angle_deg(p));
+    largest.note(p);
   }
+  result.max_angle_deg = largest.degrees();
   result.unit_edges_percent = 100 * static_cast<double>(unit_edges) / static_cast<double>(edges);
   result.quality_mean = sum / static_cast<double>(qualities.size());
   const auto hundredth = qualities.begin() + static_cast<std::ptrdiff_t>(qualities.size() / 100);

@@ -133,22 +133,25 @@ double complexity(const TriangleComplex& complex, std::span<const Metric2> metri
 
 namespace {
 
-ScaledMetric at_scale(const TriangleComplex& complex, std::span<const Metric2> wish,
+ScaledMetric at_scale(const TriangleComplex& complex, std::vector<Metric2> wish,
                       const MetricLimits& limits, const MetricSources* sources, double scale) {
   ScaledMetric result;
   result.scale = scale;
-  for (const Metric2& m : wish) {
+  for (Metric2& m : wish) {
     const Metric2 wished = (scale * scale) * m;
     const Eigen2 e = eigen(wished);
     result.at_h_min += limits.h_min > 0 && e.first * limits.h_min * limits.h_min > 1 ? 1 : 0;
     result.at_h_max += limits.h_max > 0 && e.second * limits.h_max * limits.h_max < 1 ? 1 : 0;
     result.at_aspect += e.first > limits.aspect * limits.aspect * e.second ? 1 : 0;
-    result.metrics.push_back(limited(wished, limits));
+    m = limited(wished, limits);
   }
-  std::vector<Metric2> before = result.metrics;
-  result.metrics = graded(complex, std::move(result.metrics), limits.gradation);
-  for (std::size_t v = 0; v < before.size(); ++v) {
-    result.by_gradation += before[v] == result.metrics[v] ? 0 : 1;
+  result.metrics = std::move(wish);
+  if (limits.gradation > 1) {
+    const std::vector<Metric2> before = result.metrics;
+    result.metrics = graded(complex, std::move(result.metrics), limits.gradation);
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      result.by_gradation += before[v] == result.metrics[v] ? 0 : 1;
+    }
   }
   if (sources == nullptr) {
     result.complexity = complexity(complex, result.metrics);
@@ -162,9 +165,9 @@ ScaledMetric at_scale(const TriangleComplex& complex, std::span<const Metric2> w
 
 }  // namespace
 
-ScaledMetric limited_metric(const TriangleComplex& complex, std::span<const Metric2> wish,
+ScaledMetric limited_metric(const TriangleComplex& complex, std::vector<Metric2> wish,
                             const MetricLimits& limits, const MetricSources* sources) {
-  return at_scale(complex, wish, limits, sources, 1);
+  return at_scale(complex, std::move(wish), limits, sources, 1);
 }
 
 ScaledMetric scaled_to(const TriangleComplex& complex, std::span<const Metric2> wish,
@@ -176,7 +179,7 @@ ScaledMetric scaled_to(const TriangleComplex& complex, std::span<const Metric2> 
   double scale = std::sqrt(wanted / complexity(complex, wish));
   ScaledMetric result;
   for (int step = 0; step < most_steps; ++step) {
-    result = at_scale(complex, wish, limits, sources, scale);
+    result = at_scale(complex, {wish.begin(), wish.end()}, limits, sources, scale);
     if (std::abs(result.complexity / wanted - 1) < close_enough) return result;
     (result.complexity < wanted ? low : high) = scale;
     double next_scale = scale * std::sqrt(wanted / result.complexity);

@@ -64,7 +64,7 @@ struct ScaledMetric {
 
 /// The wish as it is, limited and graded. `sources`, where there are some, count in the complexity
 /// alone: neither limits nor scale are theirs.
-ScaledMetric limited_metric(const TriangleComplex& complex, std::span<const Metric2> wish,
+ScaledMetric limited_metric(const TriangleComplex& complex, std::vector<Metric2> wish,
                             const MetricLimits& limits, const MetricSources* sources = nullptr);
 /// Scaled so that its complexity, limited and graded, is `wanted` within 1 %.
 /// @throws InvalidInput when limits or sources do not let it: says how many they allow.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/array_index.h"
+#include "mesh/adaptation/node_ring.h"
 
 namespace tetfarm {
 namespace {
@@ -17,40 +18,31 @@ struct Step {
   double parameter = 0;
 };
 
-double ball_energy(const MetricMesh& mesh, const Ball& ball, const NodePlace& place) {
-  double sum = 0;
-  for (const EdgeHandle corner : ball.corners) {
-    const OppositeEdge sides = opposite_edge(mesh.complex, corner);
-    sum += triangle_energy(mesh, place, sides.before, sides.after);
-  }
-  return sum;
-}
-
 /// The mean of the apexes of the unit triangles on the edges opposite the node.
-Vec2 optimal_point(const MetricMesh& mesh, const Ball& ball, std::int32_t node) {
+Vec2 optimal_point(const MetricMesh& mesh, const NodeRing& ring, std::int32_t node) {
   const Metric2& m = mesh.metrics[at(node)];
   const Vec2& here = mesh.complex.point(node);
-  const double density = mesh.densities[at(node)];
+  // The apex lies M-orthogonal to the edge e, to its left: J M e / sqrt(det M) has e's own metric
+  // length.
+  const double height = unit_height / std::sqrt(determinant(m));
+  const std::vector<NodeRing::Place>& places = ring.places();
   Vec2 sum;
-  for (const EdgeHandle corner : ball.corners) {
-    const OppositeEdge sides = opposite_edge(mesh.complex, corner);
-    const Vec2& a = mesh.complex.point(sides.before);
-    const Vec2& b = mesh.complex.point(sides.after);
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    const Vec2& a = places[k].point;
+    const Vec2& b = places[k + 1].point;
     const Vec2 edge{b.x - a.x, b.y - a.y};
-    // M-orthogonal to the edge, to its left, and of the edge's metric length: J M e / sqrt(det M).
-    const Vec2 normal{-(m.xy * edge.x + m.yy * edge.y) / density,
-                      (m.xx * edge.x + m.xy * edge.y) / density};
-    const double scale = unit_height / std::sqrt(squared_length(m, edge));
-    sum.x += (a.x + b.x) / 2 + scale * normal.x - here.x;
-    sum.y += (a.y + b.y) / 2 + scale * normal.y - here.y;
+    const Vec2 image{m.xx * edge.x + m.xy * edge.y, m.xy * edge.x + m.yy * edge.y};
+    const double scale = height / std::sqrt(edge.x * image.x + edge.y * image.y);
+    sum.x += (a.x + b.x) / 2 - here.x - scale * image.y;
+    sum.y += (a.y + b.y) / 2 - here.y + scale * image.x;
   }
-  const auto count = static_cast<double>(ball.corners.size());
+  const auto count = static_cast<double>(ring.triangles());
   return {here.x + sum.x / count, here.y + sum.y / count};
 }
 
 /// Halfway between where the node is and where it has the same metric length to both sides along
 /// its curve; nothing where the ball has no two neighbours on it.
-std::optional<double> optimal_parameter(const MetricMesh& mesh, const Ball& ball,
+std::optional<double> optimal_parameter(const MetricMesh& mesh, const NodeRing& ring,
                                         std::int32_t node) {
   const std::int32_t curve = mesh.curve_of_node[at(node)];
   const BoundaryCurve& shape = mesh.curves[at(curve)].shape;
@@ -62,10 +54,7 @@ std::optional<double> optimal_parameter(const MetricMesh& mesh, const Ball& ball
     (way < 0 ? way_down : way_up) = way;
     (way < 0 ? length_down : length_up) = edge_length(mesh, node, end);
   };
-  for (const EdgeHandle corner : ball.corners) {
-    note(opposite_edge(mesh.complex, corner).before);
-    note(opposite_edge(mesh.complex, corner).after);
-  }
+  for (const NodeRing::Place& place : ring.places()) note(place.node);
   if (length_down <= 0 || length_up <= 0) return std::nullopt;
   const double excess = (length_up - length_down) / 2;
   return here + (excess > 0 ? excess * way_up / length_up : -excess * way_down / length_down);
@@ -89,29 +78,28 @@ std::optional<Step> step_of(const MetricMesh& mesh, const MetricField& field, st
   return step;
 }
 
-bool smooth_node(MetricMesh& mesh, const MetricField& field, std::int32_t node, Ball& ball) {
+bool smooth_node(MetricMesh& mesh, const MetricField& field, std::int32_t node, NodeRing& ring) {
   if (mesh.curve_of_node[at(node)] == MetricMesh::corner) return false;
-  collect_ball(mesh.complex, node, ball);
+  ring.gather(mesh, node);
   Vec2 goal;
   std::optional<double> parameter;
   if (mesh.is_inside(node)) {
-    goal = optimal_point(mesh, ball, node);
+    goal = optimal_point(mesh, ring, node);
   } else {
-    parameter = optimal_parameter(mesh, ball, node);
+    parameter = optimal_parameter(mesh, ring, node);
     if (!parameter.has_value()) return false;
   }
-  const double before = ball_energy(mesh, ball, place_of(mesh, node));
+  const double allowed = ring.noted_sum(mesh) * (1 - least_gain);
   for (const double share : {1.7, 0.8, 0.4}) {
     const std::optional<Step> step = step_of(mesh, field, node, goal, parameter, share);
     if (!step.has_value()) return false;
-    if (!(ball_energy(mesh, ball, step->place) < before * (1 - least_gain))) continue;
-    if (!sees_ball(mesh.complex, ball, step->place.point)) continue;
+    const RingEnergies after = ring.energies_at(step->place);
+    if (!(after.sum < allowed)) continue;
+    if (!after.is_certain && !ring.sees_all(mesh, step->place.point)) continue;
     move_node(mesh, node, step->place);
     mesh.parameters[at(node)] = step->parameter;
-    for (const EdgeHandle corner : ball.corners) {
-      mesh.active[at(opposite_edge(mesh.complex, corner).before)] = 1;
-      mesh.active[at(opposite_edge(mesh.complex, corner).after)] = 1;
-    }
+    ring.note(mesh);
+    ring.activate(mesh);
     return true;
   }
   return false;
@@ -121,10 +109,10 @@ bool smooth_node(MetricMesh& mesh, const MetricField& field, std::int32_t node, 
 
 std::int64_t smooth_nodes(MetricMesh& mesh, const MetricField& field) {
   std::int64_t moved = 0;
-  Ball ball;
+  NodeRing ring;
   for (std::int32_t node = 0; node < mesh.nodes(); ++node) {
     if (mesh.complex.node2triangle[at(node)] < 0 || mesh.active[at(node)] == 0) continue;
-    const bool has_moved = smooth_node(mesh, field, node, ball);
+    const bool has_moved = smooth_node(mesh, field, node, ring);
     mesh.active[at(node)] = has_moved ? 1 : 0;
     moved += has_moved ? 1 : 0;
   }

@@ -111,6 +111,18 @@ std::vector<std::int32_t> hilbert_order(std::span<const Vec3> points) {
   return sorted_indices(keys);
 }
 
+std::vector<std::int32_t> hilbert_order(std::size_t count,
+                                        const std::function<Vec3(std::size_t)>& place) {
+  Box3 box;
+  for (std::size_t i = 0; i < count; ++i) box.add(place(i));
+  const Grid grid(box);
+  std::vector<Key> keys(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    keys[i] = {index_on(grid, place(i)), static_cast<std::int32_t>(i)};
+  }
+  return sorted_indices(keys);
+}
+
 std::vector<std::int32_t> brio_order(std::span<const Vec3> points) {
   TF_CHECK(points.size() <= std::numeric_limits<std::int32_t>::max());
   const Grid grid(box_of(points));

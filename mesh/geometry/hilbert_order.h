@@ -6,7 +6,9 @@
 /// Cost: O(n log n).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,6 +21,9 @@ std::uint64_t hilbert_index(const Vec3& point, const Box3& box);
 
 /// The numbers of `points` along the Hilbert curve of their bounding box; ties by number.
 std::vector<std::int32_t> hilbert_order(std::span<const Vec3> points);
+/// The same of points that are no list: `place` gives each of them, twice.
+std::vector<std::int32_t> hilbert_order(std::size_t count,
+                                        const std::function<Vec3(std::size_t)>& place);
 
 /// The numbers of `points` in rounds (each about eight times the one before), every round along the
 /// Hilbert curve. The round of a point depends on its number alone.

@@ -43,10 +43,17 @@ WideMatrix at_least_one(const WideMatrix& n) {
   return {one + gain + turned * difference, turned * n.xy, one + gain - turned * difference};
 }
 
+/// Whether a asks for at least as much as b in every direction; false where rounding might decide.
+bool surely_covers(const Metric2& a, const Metric2& b) {
+  const Metric2 rest{a.xx - b.xx, a.xy - b.xy, a.yy - b.yy};
+  return rest.xx > 0 && rest.yy > 0 && rest.xx * rest.yy > rest.xy * rest.xy * (1 + 1e-14);
+}
+
 }  // namespace
 
 Metric2 intersection(const Metric2& a, const Metric2& b) {
-  if (a == b) return a;
+  if (a == b || surely_covers(a, b)) return a;
+  if (surely_covers(b, a)) return b;
   if (std::tie(b.xx, b.xy, b.yy) < std::tie(a.xx, a.xy, a.yy)) return intersection(b, a);
   // A = L Lᵀ with L = [p 0; q r].
   const Wide p = square_root(wide(a.xx));

@@ -4,6 +4,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/planar/side_buckets.h"
 
 namespace tetfarm {
 
@@ -109,6 +110,40 @@ void TriangleComplex::flip(EdgeHandle edge) {
   attach(edge_handle(u, 1), bp);
 }
 
+namespace {
+
+/// Each side with the next on the same two nodes, in the order of their handles.
+void pair_sides(TriangleComplex& complex) {
+  struct Side {
+    std::int32_t high;
+    EdgeHandle handle;
+    auto operator<=>(const Side&) const = default;
+  };
+  const SideBuckets buckets(complex.points.size(), complex.triangles,
+                            [](std::int32_t a, std::int32_t b) { return std::min(a, b); });
+  std::vector<Side> sides;
+  for (std::size_t low = 0; low < buckets.nodes(); ++low) {
+    sides.clear();
+    for (const EdgeHandle side : buckets.of(low)) {
+      const std::int32_t t = triangle_of(side);
+      sides.push_back(
+          {std::max(complex.node(t, next(edge_of(side))), complex.node(t, previous(edge_of(side)))),
+           side});
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (k + 1 < sides.size() && sides[k].high == sides[k + 1].high) {
+        complex.glue(sides[k].handle, sides[k + 1].handle);
+        ++k;
+      } else {
+        complex.constrain(sides[k].handle, true);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 TriangleComplex make_triangle_complex(std::vector<Vec2> points,
                                       std::vector<TriangleComplex::Nodes> triangles) {
   TF_CHECK(triangles.size() < (1U << 29U));
@@ -119,32 +154,10 @@ TriangleComplex make_triangle_complex(std::vector<Vec2> points,
   complex.neighbours.assign(complex.triangles.size(), {no_edge, no_edge, no_edge});
   complex.constrained.assign(complex.triangles.size(), 0);
 
-  struct Side {
-    std::int32_t low, high;
-    EdgeHandle handle;
-    auto operator<=>(const Side&) const = default;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * complex.triangles.size());
   for (std::int32_t t = 0; t < complex.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      const std::int32_t a = complex.node(t, next(i));
-      const std::int32_t b = complex.node(t, previous(i));
-      sides.push_back({std::min(a, b), std::max(a, b), edge_handle(t, i)});
-      complex.node2triangle[at(complex.node(t, i))] = t;
-    }
+    for (const std::int32_t v : complex.nodes(t)) complex.node2triangle[at(v)] = t;
   }
-  std::ranges::sort(sides);
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    const bool paired = k + 1 < sides.size() && sides[k].low == sides[k + 1].low &&
-                        sides[k].high == sides[k + 1].high;
-    if (paired) {
-      complex.glue(sides[k].handle, sides[k + 1].handle);
-      ++k;
-    } else {
-      complex.constrain(sides[k].handle, true);
-    }
-  }
+  pair_sides(complex);
   return complex;
 }
 

@@ -163,7 +163,7 @@ std::string medit_text(const PlaneMesh& mesh) {
   begin_list(lines, "Corners", mesh.corners.size());
   for (const std::int32_t v : mesh.corners) lines.number(v + 1).end();
   lines.words("\nEnd\n");
-  return lines.text();
+  return lines.take();
 }
 
 void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path) {
@@ -190,9 +190,9 @@ NodeFields read_plane_sol(std::string_view bytes, const std::string& name) {
       in.fail("a field is a number (1), a vector (2) or a symmetric tensor (3)");
     }
     fields.order.push_back(static_cast<NodeFieldKind>(kind));
-    if (kind == 1) fields.scalars.emplace_back();
-    if (kind == 2) fields.vectors.emplace_back();
-    if (kind == 3) fields.metrics.emplace_back();
+    if (kind == 1) fields.scalars.emplace_back().reserve(nodes);
+    if (kind == 2) fields.vectors.emplace_back().reserve(nodes);
+    if (kind == 3) fields.metrics.emplace_back().reserve(nodes);
   }
   for (std::size_t i = 0; i < nodes; ++i) {
     std::array<std::size_t, 4> next_of_kind{};
@@ -245,7 +245,7 @@ std::string sol_text(const NodeFields& fields) {
     lines.end();
   }
   lines.words("\nEnd\n");
-  return lines.text();
+  return lines.take();
 }
 
 }  // namespace tetfarm

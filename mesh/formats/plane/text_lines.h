@@ -5,6 +5,7 @@
 #include <charconv>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace tetfarm {
 
@@ -29,6 +30,8 @@ class TextLines {
   /// Ends the line. @pre its last character is a blank.
   void end() { text_.back() = '\n'; }
   const std::string& text() const { return text_; }
+  /// The same, for good.
+  std::string take() { return std::move(text_); }
 
  private:
   std::string text_;

@@ -19,7 +19,7 @@ MetricMesh of_constant_metric(const PlaneMesh& plane, const Metric2& metric) {
 
 void collapse_all(MetricMesh& mesh, const CollapseLimits& limits = {}) {
   for (int pass = 0; pass < 50; ++pass) {
-    const std::int64_t gone = collapse_edges(mesh, limits, false);
+    const std::int64_t gone = collapse_edges(mesh, limits, EdgesToVisit::all);
     ASSERT_THAT(validate(mesh), IsEmpty());
     if (gone == 0) return;
   }
@@ -117,11 +117,11 @@ TEST(EdgeCollapse, leaves_nodes_of_the_border_where_they_are) {
 
 TEST(EdgeCollapse, leaves_an_edge_that_fits_and_one_whose_nodes_are_not_active) {
   MetricMesh mesh = of_constant_metric(plane_test::square(4), plane_test::round_metric(0.25));
-  EXPECT_EQ(collapse_edges(mesh, {}, false), 0);
+  EXPECT_EQ(collapse_edges(mesh, {}, EdgesToVisit::all), 0);
   mesh = of_constant_metric(plane_test::square(4), plane_test::round_metric(1));
-  EXPECT_EQ(collapse_edges(mesh, {}, true), 0);
+  EXPECT_EQ(collapse_edges(mesh, {}, EdgesToVisit::active), 0);
   mesh.active.assign(mesh.active.size(), 1);
-  EXPECT_GT(collapse_edges(mesh, {}, true), 0);
+  EXPECT_GT(collapse_edges(mesh, {}, EdgesToVisit::active), 0);
 }
 
 TEST(EdgeCollapse, makes_no_triangle_worse_than_the_limit) {

@@ -17,8 +17,8 @@ struct RefinedShape {
       : mesh(plane_test::metric_mesh(plane, plane_test::constant_metrics(plane, metric))),
         field(plane_test::field_of(plane, plane_test::constant_metrics(plane, metric))) {}
 
-  std::int64_t refine(EdgesToRefine which) {
-    const std::int64_t nodes = refine_edges(mesh, field, cavity, limits, which);
+  std::int64_t refine(EdgesToVisit which, bool only_on_curves = false) {
+    const std::int64_t nodes = refine_edges(mesh, field, cavity, limits, which, only_on_curves);
     EXPECT_THAT(validate(mesh), IsEmpty());
     return nodes;
   }
@@ -75,7 +75,7 @@ TEST(EdgeRefinement, changes_nothing_where_a_new_edge_would_be_too_short) {
     EXPECT_EQ(shape.mesh.complex.size(), 18);
     EXPECT_THAT(validate(shape.mesh), IsEmpty());
   }
-  EXPECT_EQ(shape.refine(EdgesToRefine::on_curves), 0);
+  EXPECT_EQ(shape.refine(EdgesToVisit::all, true), 0);
   EXPECT_FALSE(
       divide_edge(shape.mesh, shape.field, shape.cavity, some_edge(shape.mesh, true), 0.5, 0.51));
   EXPECT_TRUE(
@@ -88,7 +88,7 @@ TEST(EdgeRefinement, at_middles_gives_every_long_edge_one_node) {
   shape.limits.at_middles = true;
   shape.limits.shortest = 0;
   // A side whose triangle was made anew meanwhile has its turn the next time.
-  const std::int64_t first = shape.refine(EdgesToRefine::on_curves);
+  const std::int64_t first = shape.refine(EdgesToVisit::all, true);
   EXPECT_GE(first, 2);
   EXPECT_LE(first, 4);
   for (std::int32_t v = 4; v < shape.mesh.nodes(); ++v) {
@@ -102,7 +102,7 @@ TEST(EdgeRefinement, at_middles_gives_every_long_edge_one_node) {
 TEST(EdgeRefinement, puts_nodes_of_a_border_on_its_curve) {
   // Thesis, figure 34, leaves them on the chord.
   RefinedShape shape(plane_test::disc(4), plane_test::round_metric(0.05));
-  while (shape.refine(EdgesToRefine::on_curves) > 0) {
+  while (shape.refine(EdgesToVisit::all, true) > 0) {
   }
   EXPECT_LE(shape.longest_edge(true), shape.limits.longest);
   EXPECT_EQ(plane_test::distance_from_curves(shape.mesh), 0);
@@ -136,7 +136,7 @@ TEST(EdgeRefinement, gives_a_long_edge_all_its_nodes_at_even_metric_lengths) {
   PlaneMesh plane = plane_test::square(1);
   RefinedShape shape(plane, plane_test::round_metric(0.1));
   std::int64_t nodes = 0;
-  while (const std::int64_t more = shape.refine(EdgesToRefine::on_curves)) nodes += more;
+  while (const std::int64_t more = shape.refine(EdgesToVisit::all, true)) nodes += more;
   EXPECT_EQ(nodes, 36);
   for (std::int32_t v = 0; v < shape.mesh.nodes(); ++v) {
     const Vec2& p = shape.mesh.complex.point(v);
@@ -152,7 +152,7 @@ TEST(EdgeRefinement, spaces_nodes_by_a_metric_that_varies) {
   MetricMesh mesh = plane_test::metric_mesh(plane, metrics);
   const MetricField field = plane_test::field_of(plane, metrics);
   EllipseCavity cavity;
-  while (refine_edges(mesh, field, cavity, {}, EdgesToRefine::on_curves) > 0) {
+  while (refine_edges(mesh, field, cavity, {}, EdgesToVisit::all, true) > 0) {
   }
   EXPECT_THAT(validate(mesh), IsEmpty());
   for (const auto& [key, curve] : mesh.curve_of_edge) {
@@ -168,11 +168,11 @@ TEST(EdgeRefinement, of_all_edges_ends_with_no_long_edge_on_the_border) {
        {plane_test::round_metric(0.08), metric_of_sizes({0.5, 0.02, 0.6})}) {
     RefinedShape shape(plane_test::square(2), metric);
     for (int pass = 0; pass < 60; ++pass) {
-      while (shape.refine(EdgesToRefine::on_curves) > 0) {
+      while (shape.refine(EdgesToVisit::all, true) > 0) {
       }
-      if (shape.refine(EdgesToRefine::all) == 0) break;
+      if (shape.refine(EdgesToVisit::all) == 0) break;
     }
-    EXPECT_EQ(shape.refine(EdgesToRefine::all), 0);
+    EXPECT_EQ(shape.refine(EdgesToVisit::all), 0);
     EXPECT_DOUBLE_EQ(plane_test::area(shape.mesh.complex), 1);
     EXPECT_LE(shape.longest_edge(true), shape.limits.longest);
   }
@@ -180,17 +180,37 @@ TEST(EdgeRefinement, of_all_edges_ends_with_no_long_edge_on_the_border) {
 
 TEST(EdgeRefinement, of_active_edges_divides_none_where_no_node_is_active) {
   RefinedShape shape(plane_test::square(8), plane_test::round_metric(0.09));
-  EXPECT_EQ(shape.refine(EdgesToRefine::active), 0);
+  EXPECT_EQ(shape.refine(EdgesToVisit::active), 0);
   for (std::int32_t v = 0; v < shape.mesh.nodes(); ++v) {
     shape.mesh.active[at(v)] = shape.mesh.complex.point(v).x < 0.1 ? 1 : 0;
   }
-  EXPECT_GT(shape.refine(EdgesToRefine::active), 0);
+  EXPECT_GT(shape.refine(EdgesToVisit::active), 0);
+}
+
+TEST(EdgeRefinement, of_touched_edges_comes_to_what_that_of_all_comes_to) {
+  for (const Metric2& metric :
+       {plane_test::round_metric(0.05), metric_of_sizes({0.3, 0.02, 0.6})}) {
+    RefinedShape shape(plane_test::square(3), metric);
+    RefinedShape of_all = shape;
+    shape.mesh.touched.assign(shape.mesh.touched.size(), TouchedBits::now);
+    for (;;) {
+      begin_round(shape.mesh);
+      const std::int64_t nodes = shape.refine(EdgesToVisit::touched);
+      EXPECT_EQ(of_all.refine(EdgesToVisit::all), nodes);
+      if (nodes == 0) break;
+    }
+    EXPECT_EQ(shape.mesh.complex.points, of_all.mesh.complex.points);
+    EXPECT_EQ(shape.mesh.complex.triangles, of_all.mesh.complex.triangles);
+    begin_round(shape.mesh);
+    EXPECT_EQ(std::count(shape.mesh.touched.begin(), shape.mesh.touched.end(), 0),
+              shape.mesh.nodes());
+  }
 }
 
 TEST(EdgeRefinement, keeps_the_edge_between_regions) {
   RefinedShape shape(plane_test::two_regions(2), plane_test::round_metric(0.06));
-  shape.refine(EdgesToRefine::on_curves);
-  shape.refine(EdgesToRefine::all);
+  shape.refine(EdgesToVisit::all, true);
+  shape.refine(EdgesToVisit::all);
   const PlaneMesh mesh = plane_mesh_of(shape.mesh).mesh;
   EXPECT_NEAR(plane_test::region_areas(mesh).at(1), 1, 1e-13);
   EXPECT_NEAR(plane_test::region_areas(mesh).at(2), 1, 1e-13);
@@ -208,7 +228,7 @@ TEST(EdgeRefinement, divides_the_border_at_a_node_where_two_parts_meet) {
   plane.points = {{0, 0}, {1, 0}, {1, 1}, {-1, 0}, {-1, -1}};
   plane.triangles = {{0, 1, 2}, {0, 3, 4}};
   RefinedShape shape(plane, plane_test::round_metric(0.2));
-  while (shape.refine(EdgesToRefine::on_curves) > 0) {
+  while (shape.refine(EdgesToVisit::all, true) > 0) {
   }
   EXPECT_LE(shape.longest_edge(true), shape.limits.longest);
   EXPECT_NEAR(plane_test::area(shape.mesh.complex), 1, 1e-14);

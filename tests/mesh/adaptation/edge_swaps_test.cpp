@@ -142,13 +142,73 @@ TEST(EdgeSwaps, leave_held_edges) {
   EXPECT_NEAR(plane_test::patch_lengths(swapped).at(0), 1, 1e-14);
 }
 
-TEST(EdgeSwaps, of_active_nodes_leave_the_others) {
+TEST(EdgeSwaps, by_ellipses_that_go_round_in_a_circle_do_not_keep_others_from_being_swapped) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> share(0, 1);
+  PlaneMesh plane = shaken_square(16, 5);
+  auto metrics = plane_test::constant_metrics(plane, {1, 0, 100});
+  // Metrics at odds in a corner.
+  for (std::size_t v = 0; v < metrics.size(); ++v) {
+    const Vec2& p = plane.points[v];
+    if (p.x > 0.3 || p.y > 0.3) continue;
+    metrics[v] = metric_of_sizes({1, std::pow(10, -3 * share(random)), 4 * share(random)});
+  }
+  MetricMesh mesh = plane_test::metric_mesh(plane, metrics);
+  EXPECT_GT(swap_edges(mesh, SwapCriterion::ellipse, false), 100);
+  EXPECT_THAT(validate(mesh), IsEmpty());
+  const TriangleComplex& complex = mesh.complex;
+  for (std::int32_t t = 0; t < complex.size(); ++t) {
+    const auto is_far = [&](std::int32_t v) { return complex.point(v).x > 0.5; };
+    const TriangleComplex::Nodes& n = complex.nodes(t);
+    for (int i = 0; i < 3 && std::all_of(n.begin(), n.end(), is_far); ++i) {
+      const EdgeHandle other = complex.neighbour(t, i);
+      if (other == no_edge || !is_far(complex.node(triangle_of(other), edge_of(other)))) continue;
+      const auto drawn = [&](std::int32_t v) {
+        return Vec2{complex.point(v).x, 10 * complex.point(v).y};
+      };
+      const std::int32_t apex = complex.node(triangle_of(other), edge_of(other));
+      EXPECT_LT(incircle(drawn(n[0]), drawn(n[1]), drawn(n[2]), drawn(apex)), 1e-9);
+    }
+  }
+}
+
+TEST(EdgeSwaps, of_unchecked_triangles_leave_the_others) {
   const PlaneMesh plane = shaken_square(12, 4);
   MetricMesh mesh = plane_test::metric_mesh(plane, plane_test::constant_metrics(plane, {1, 0, 1}));
   EXPECT_EQ(swap_edges(mesh, SwapCriterion::ellipse, true), 0);
   EXPECT_EQ(swap_edges(mesh, SwapCriterion::energy, true), 0);
-  mesh.active.assign(mesh.active.size(), 1);
-  EXPECT_GT(swap_edges(mesh, SwapCriterion::energy, true), 0);
+  MetricMesh of_all = mesh;
+  for (std::int32_t t = 0; t < mesh.complex.size(); ++t) note_change(mesh, t);
+  const std::int64_t swaps = swap_edges(mesh, SwapCriterion::energy, true);
+  EXPECT_GT(swaps, 0);
+  EXPECT_EQ(swap_edges(of_all, SwapCriterion::energy, false), swaps);
+  EXPECT_EQ(mesh.complex.triangles, of_all.complex.triangles);
+  EXPECT_EQ(swap_edges(mesh, SwapCriterion::energy, true), 0) << "they are checked";
+}
+
+TEST(EdgeSwaps, of_what_changed_find_all_that_there_is_to_swap) {
+  const PlaneMesh plane = plane_test::square(14);
+  MetricMesh mesh = plane_test::metric_mesh(
+      plane, plane_test::constant_metrics(plane, plane_test::round_metric(1.0 / 14)));
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> share(-0.6 / 14, 0.6 / 14);
+  swap_edges(mesh, SwapCriterion::energy, false);
+  Ball ball;
+  int swapped = 0;
+  for (int round = 0; round < 200; ++round) {
+    const auto node = static_cast<std::int32_t>(random() % at(mesh.nodes()));
+    if (!mesh.is_inside(node)) continue;
+    NodePlace place = place_of(mesh, node);
+    place.point = {place.point.x + share(random), place.point.y + share(random)};
+    collect_ball(mesh.complex, node, ball);
+    if (!sees_ball(mesh.complex, ball, place.point)) continue;
+    move_node(mesh, node, place);
+    for (const EdgeHandle corner : ball.corners) note_change(mesh, triangle_of(corner));
+    swapped += static_cast<int>(swap_edges(mesh, SwapCriterion::energy, true));
+    ASSERT_EQ(swap_edges(mesh, SwapCriterion::energy, false), 0) << round;
+    ASSERT_THAT(validate(mesh), IsEmpty());
+  }
+  EXPECT_GT(swapped, 50);
 }
 
 }  // namespace

@@ -244,6 +244,7 @@ TEST(EllipseCavity, filled_is_valid_where_the_metrics_of_the_nodes_are_at_odds) 
        {EllipseTest::at_new_node, EllipseTest::at_apex_too, EllipseTest::at_all_corners}) {
     MetricMesh mesh = uneven_square(10, {1, 0, 400}, 6);
     for (Metric2& metric : mesh.metrics) metric = any_metric();
+    for (std::int32_t t = 0; t < mesh.complex.size(); ++t) note_change(mesh, t);
     EllipseCavity cavity({test, 1000});
     for (int round = 0; round < 600; ++round) {
       const auto t = static_cast<std::int32_t>(random() % at(mesh.complex.size()));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <set>
 
 #include "tests/mesh/adaptation/plane_shapes.h"
@@ -108,12 +109,59 @@ TEST(MetricMesh, moved_node_has_the_metric_of_its_new_place) {
   MetricMesh mesh = unit_square_mesh(2);
   move_node(mesh, 2, {{0.6, 0.4}, {9, 0, 4}, 5});
   EXPECT_EQ(mesh.complex.point(2), (Vec2{0.6, 0.4}));
-  EXPECT_EQ(mesh.densities[2], 6);
+  EXPECT_EQ(mesh.metrics[2], (Metric2{9, 0, 4}));
   EXPECT_EQ(place_of(mesh, 2).home, 5);
   EXPECT_EQ(add_node(mesh, {{0.1, 0.1}, {16, 0, 1}, 2}), 9);
-  EXPECT_EQ(mesh.densities.back(), 4);
+  EXPECT_EQ(mesh.metrics.back(), (Metric2{16, 0, 1}));
   EXPECT_TRUE(mesh.is_inside(9));
   EXPECT_EQ(mesh.active.back(), 1);
+}
+
+TEST(MetricMesh, longer_and_shorter_agree_with_the_length_itself) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> exponent(-2, 2);
+  int longer = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double a = std::exp(exponent(random));
+    const double b = i % 3 == 0 ? a * (1 + 1e-9 * exponent(random)) : std::exp(exponent(random));
+    const double length = length_between(std::sqrt(a), std::sqrt(b));
+    for (const double limit : {0.7, 1.0, 1.4, length * (1 + 1e-9), length * (1 - 1e-9)}) {
+      ASSERT_EQ(is_longer(a, b, limit), length > limit) << a << " " << b << " " << limit;
+      ASSERT_EQ(is_shorter(a, b, limit), length < limit) << a << " " << b << " " << limit;
+      longer += length > limit ? 1 : 0;
+    }
+  }
+  EXPECT_GT(longer, 20000);
+}
+
+TEST(MetricMesh, a_round_visits_what_the_one_before_touched) {
+  MetricMesh mesh = unit_square_mesh(2);
+  EXPECT_FALSE(is_to_visit(mesh, EdgesToVisit::touched, 0, 1));
+  EXPECT_TRUE(is_to_visit(mesh, EdgesToVisit::all, 0, 1));
+  mesh.touched[0] = TouchedBits::now;
+  EXPECT_TRUE(is_to_visit(mesh, EdgesToVisit::touched, 0, 1));
+  begin_round(mesh);
+  EXPECT_TRUE(is_to_visit(mesh, EdgesToVisit::touched, 1, 0));
+  begin_round(mesh);
+  EXPECT_FALSE(is_to_visit(mesh, EdgesToVisit::touched, 0, 1));
+  mesh.active[1] = 1;
+  EXPECT_TRUE(is_to_visit(mesh, EdgesToVisit::active, 0, 1));
+}
+
+TEST(MetricMesh, validate_finds_an_energy_that_is_no_longer_that_of_its_triangle) {
+  MetricMesh mesh = unit_square_mesh(3);
+  for (std::int32_t t = 0; t < mesh.complex.size(); ++t) known_energy(mesh, t);
+  EXPECT_THAT(validate(mesh), IsEmpty());
+  const std::int32_t inside = 5;
+  ASSERT_TRUE(mesh.is_inside(inside));
+  NodePlace place = place_of(mesh, inside);
+  place.point = {place.point.x + 0.03, place.point.y - 0.02};
+  move_node(mesh, inside, place);
+  EXPECT_THAT(validate(mesh), Contains(HasSubstr("another energy")));
+  Ball ball;
+  collect_ball(mesh.complex, inside, ball);
+  for (const EdgeHandle corner : ball.corners) note_change(mesh, triangle_of(corner));
+  EXPECT_THAT(validate(mesh), IsEmpty());
 }
 
 TEST(MetricMesh, validate_says_what_is_broken) {

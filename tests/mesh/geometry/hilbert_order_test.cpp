@@ -33,6 +33,14 @@ TEST(HilbertOrder, steps_along_the_curve_go_to_the_next_cell_of_a_grid) {
   }
 }
 
+TEST(HilbertOrder, of_places_that_are_no_list_is_that_of_the_list) {
+  for (const int n : {0, 1, 5}) {
+    const std::vector<Vec3> points = grid(n);
+    EXPECT_EQ(hilbert_order(points.size(), [&](std::size_t i) { return points[i]; }),
+              hilbert_order(points));
+  }
+}
+
 TEST(HilbertOrder, the_order_is_that_of_the_indices) {
   std::vector<Vec3> points = grid(6);
   for (std::size_t i = 0; i < points.size(); ++i) points[i] *= 1.0 + 1e-3 * double(i * i % 97);
