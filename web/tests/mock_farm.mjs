@@ -144,6 +144,7 @@ function taskRow(options, task, tries, now, random) {
     seconds: last ? last.seconds : 0, peak_rss_bytes: isDone ? last.peak_rss_bytes : 0, memory_bytes: 0,
     expected_seconds: task.seconds * (0.8 + 0.4 * random()), cpu_seconds: isDone ? last.seconds * 0.97 : 0,
     expected_bytes: Math.round(70e6 + options.elements * task.size * 400 * (0.9 + 0.2 * random())),
+    min_dihedral_deg: isDone && isMesh ? 9 + ((task.task * 7919) % 160) / 10 : 0,
     expected_elements: expected, elements: isDone && isMesh ? Math.round(expected * (0.85 + 0.3 * random())) : 0,
     exit_code: 0, message: '',
     doing: state === 'leased' ? `${task.kind === 'mesh' ? 'points' : 'cosmetics'}: ${Math.round(share * 5000).toLocaleString('en-GB')} of 5,000` : '',
@@ -207,6 +208,10 @@ export function makeJob(options) {
 const result = {
   elements: 3311204, nodes: 588120, boundary_triangles: 81244, volume: 12.8134, min_dihedral_deg: 11.274,
   max_dihedral_deg: 158.31, mean_radius_ratio: 0.8612, smallest_height: 0.00213, forced_dihedral_deg: 14.1,
+  near_cuts: { elements: 611204, min_dihedral_deg: 11.274, max_dihedral_deg: 158.31, mean_radius_ratio: 0.8391, smallest_height: 0.00213,
+    dihedral_histogram: [0, 900, 9000, 61000, 171000, 310000, 420000, 390000, 290000, 190000, 120000, 70000, 34000, 14000, 4000, 900, 0, 0] },
+  away_from_cuts: { elements: 2700000, min_dihedral_deg: 14.02, max_dihedral_deg: 151.9, mean_radius_ratio: 0.8722, smallest_height: 0.0031,
+    dihedral_histogram: [0, 300, 12000, 190000, 800000, 1700000, 2400000, 2100000, 1500000, 800000, 500000, 200000, 90000, 20000, 3000, 90, 0, 0] },
   digest: '9f4c1a20b7d3e6550c81f2a94d7e3b16',
   gates: [{ key: 'min_dihedral', limit_deg: 8, smallest_deg: 11.274, at: [0, 0, 0], passed: true }],
   remarks: ['the edge between two triangles forces a dihedral angle of 14.1 deg or less near (0.81, 0.02, 1.1)'],
