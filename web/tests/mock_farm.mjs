@@ -208,6 +208,7 @@ export function makeJob(options) {
 const result = {
   elements: 3311204, nodes: 588120, boundary_triangles: 81244, volume: 12.8134, min_dihedral_deg: 11.274,
   max_dihedral_deg: 158.31, mean_radius_ratio: 0.8612, smallest_height: 0.00213, forced_dihedral_deg: 14.1,
+  worst_at: [0.31, 0.42, 0.93],
   near_cuts: { elements: 611204, min_dihedral_deg: 11.274, max_dihedral_deg: 158.31, mean_radius_ratio: 0.8391, smallest_height: 0.00213,
     dihedral_histogram: [0, 900, 9000, 61000, 171000, 310000, 420000, 390000, 290000, 190000, 120000, 70000, 34000, 14000, 4000, 900, 0, 0] },
   away_from_cuts: { elements: 2700000, min_dihedral_deg: 14.02, max_dihedral_deg: 151.9, mean_radius_ratio: 0.8722, smallest_height: 0.0031,

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { ColumnTable, taskColumns } from '../api/columns';
-import { binned, columnsOfBins, inPercent, shapesOf, smallestAngles } from './quality';
+import { binned, columnsOfBins, inPercent, shapesOf, smallestAngles, worstPlaceOf } from './quality';
 
 describe('smallestAngles', () => {
   it('are those that tasks of the kind have told', () => {
@@ -41,6 +41,16 @@ describe('shapesOf', () => {
     for (const nothing of [null, undefined, 3, {}, { elements: 0 }, { elements: 4 }, { elements: 4, dihedral_histogram: 'x' },
       { elements: 4, dihedral_histogram: [null, NaN, 'x'] }]) {
       expect(shapesOf(nothing)).toBeUndefined();
+    }
+  });
+});
+
+describe('worstPlaceOf', () => {
+  it('is where the result says, and nowhere where it does not', () => {
+    expect(worstPlaceOf({ worst_at: [1, 2, 3], min_dihedral_deg: 9 })).toEqual({ at: [1, 2, 3], degrees: 9 });
+    for (const nothing of [null, 3, {}, { worst_at: [1, 2, 3] }, { worst_at: [1, 2], min_dihedral_deg: 9 },
+      { worst_at: [1, 2, '3'], min_dihedral_deg: 9 }, { worst_at: 'x', min_dihedral_deg: 9 }]) {
+      expect(worstPlaceOf(nothing)).toBeUndefined();
     }
   });
 });

@@ -57,6 +57,20 @@ export function shapesOf(part: unknown): Shapes | undefined {
   };
 }
 
+export interface WorstPlace {
+  at: [number, number, number];
+  degrees: number;
+}
+
+/** Where the smallest angle of the mesh is; nothing where the result does not tell. */
+export function worstPlaceOf(result: unknown): WorstPlace | undefined {
+  if (typeof result !== 'object' || result === null) return undefined;
+  const { worst_at: at, min_dihedral_deg: degrees } = result as Record<string, unknown>;
+  const isPlace = Array.isArray(at) && at.length === 3 && at.every((value) => typeof value === 'number' && Number.isFinite(value));
+  if (!isPlace || !(numberOf(degrees) > 0)) return undefined;
+  return { at: at as [number, number, number], degrees: numberOf(degrees) };
+}
+
 /** For a chart: the middles of the steps, and what lies in each. */
 export function columnsOfBins({ width, counts }: Bins): [number[], number[]] {
   return [counts.map((_, bin) => (bin + 0.5) * width), counts.slice()];

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import {
-  addBox, boxOf, centreOf, diagonalOf, emptyBox, explodedBy, parseShownSurface, trianglesForEach,
+  addBox, boxOf, centreOf, diagonalOf, emptyBox, explodedBy, isInBox, parseShownSurface, trianglesForEach,
 } from './shown_surface';
 
 /** Two triangles, 1e9 away in x, as the server writes them. */
@@ -58,6 +58,9 @@ describe('boxes', () => {
     addBox(box, { low: [2, 0, 0], high: [3, 4, 0] });
     expect(centreOf(box)).toEqual([1.5, 2, 0]);
     expect(diagonalOf(box)).toBe(5);
+    expect(isInBox(box, [1, 4, 0])).toBe(true);
+    expect(isInBox(box, [1, 4, 0.1])).toBe(false);
+    expect(isInBox(box, [1, 4, 0.1], 0.2)).toBe(true);
   });
 });
 

@@ -81,6 +81,10 @@ export function diagonalOf(box: Box): number {
   return Number.isFinite(length) ? length : 0;
 }
 
+export function isInBox(box: Box, place: readonly number[], slack = 0): boolean {
+  return [0, 1, 2].every((axis) => place[axis]! >= box.low[axis]! - slack && place[axis]! <= box.high[axis]! + slack);
+}
+
 /** How far a sub-domain is moved from where it is: away from the centre of all, `share` of its way
  * from there. */
 export function explodedBy(

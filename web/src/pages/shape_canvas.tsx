@@ -11,6 +11,7 @@ interface CanvasProps {
   surfaces: ReadonlyMap<number, ShownSurface>;
   colourOf: ColourOf;
   exploded: number;
+  mark: readonly number[] | undefined;
   label: string;
   onChoose: (path: number | undefined) => void;
 }
@@ -118,7 +119,7 @@ function usePointer(scene: ShapeScene | undefined, onChoose: CanvasProps['onChoo
   };
 }
 
-export function ShapeCanvas({ surfaces, colourOf, exploded, label, onChoose }: CanvasProps) {
+export function ShapeCanvas({ surfaces, colourOf, exploded, mark, label, onChoose }: CanvasProps) {
   const element = useRef<HTMLCanvasElement>(null);
   const [scene, stage] = useScene(element);
   const pointer = usePointer(scene, onChoose);
@@ -137,6 +138,7 @@ export function ShapeCanvas({ surfaces, colourOf, exploded, label, onChoose }: C
     scene?.colour(colourOf);
   }, [scene, surfaces, colourOf]);
   useEffect(() => scene?.explode(exploded), [scene, exploded]);
+  useEffect(() => scene?.markAt(mark), [scene, mark]);
   const key = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey || !scene) return;
     const step = (event.shiftKey && shiftedSteps[event.key]) || keySteps[event.key];

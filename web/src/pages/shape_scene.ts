@@ -2,11 +2,11 @@
 // A chunk of its own, so that the other pages do without three.js.
 
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Mesh, MeshLambertMaterial,
-  PerspectiveCamera, Raycaster, Scene, Spherical, Vector2, Vector3, WebGLRenderer,
+  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, Mesh,
+  MeshBasicMaterial, MeshLambertMaterial, OctahedronGeometry, PerspectiveCamera, Raycaster, Scene, Spherical, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import type { Box, ShownSurface } from '../logic/shown_surface';
-import { addBox, boxOf, centreOf, diagonalOf, emptyBox, explodedBy } from '../logic/shown_surface';
+import { addBox, boxOf, centreOf, diagonalOf, emptyBox, explodedBy, isInBox } from '../logic/shown_surface';
 import type { Rgb } from '../logic/surface_colours';
 
 export type ColourOf = (path: number, piece: number) => Rgb;
@@ -56,6 +56,19 @@ function paint(part: Part, path: number, colourOf: ColourOf): void {
   attribute.needsUpdate = true;
 }
 
+/** Through whatever lies before it, black in white, so that it is seen on every colour. */
+function markThatIsSeen(): Group {
+  const group = new Group();
+  [[1.5, 0xffffff], [1, 0x000000]].forEach(([size, colour], order) => {
+    const material = new MeshBasicMaterial({ color: colour!, depthTest: false, transparent: true });
+    const mesh = new Mesh(new OctahedronGeometry(size!), material);
+    mesh.renderOrder = 1 + order;
+    group.add(mesh);
+  });
+  group.visible = false;
+  return group;
+}
+
 export class ShapeScene {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
@@ -64,6 +77,8 @@ export class ShapeScene {
   private readonly parts = new Map<number, Part>();
   private readonly place = new Spherical(1.7, 1.1, 0.7); // radius in diagonals
   private readonly aim = new Vector3(); // from the centre of all, in diagonals
+  private readonly mark = markThatIsSeen();
+  private marked: readonly number[] | undefined;
   private box = emptyBox();
   private share = 0;
   private frame = 0;
@@ -76,7 +91,7 @@ export class ShapeScene {
     context: WebGL2RenderingContext,
   ) {
     this.renderer = new WebGLRenderer({ canvas, context, antialias: true });
-    this.scene.add(new AmbientLight(0xffffff, 1.1), this.camera);
+    this.scene.add(new AmbientLight(0xffffff, 1.1), this.camera, this.mark);
     this.camera.add(this.lamp);
     this.lamp.position.set(0.4, 0.8, 1);
   }
@@ -104,6 +119,12 @@ export class ShapeScene {
 
   explode(share: number): void {
     this.share = share;
+    this.draw();
+  }
+
+  /** Marks a place of the mesh; it moves with the sub-domain that it is in. */
+  markAt(place: readonly number[] | undefined): void {
+    this.marked = place;
     this.draw();
   }
 
@@ -173,17 +194,31 @@ export class ShapeScene {
     this.parts.delete(path);
   }
 
+  /** The sub-domain that a place is in, as far as boxes tell: the smallest of them. */
+  private holderOf(place: readonly number[] | undefined, size: number): Part | undefined {
+    if (!place) return undefined;
+    const around = [...this.parts.values()].filter(({ box }) => isInBox(box, place, 0.01 * size));
+    return around.sort((a, b) => diagonalOf(a.box) - diagonalOf(b.box))[0];
+  }
+
   /** Everything in diagonals of what is drawn, about its centre: numbers of 32 bits suffice so. */
   private arrange(): void {
     const size = diagonalOf(this.box) || 1;
     const ofAll = this.parts.size > 0 ? centreOf(this.box) : [0, 0, 0];
+    const placed = (place: readonly number[], centre: readonly number[]) => {
+      const moved = explodedBy(centre, ofAll, this.share);
+      const [x, y, z] = [0, 1, 2].map((axis) => (place[axis]! - ofAll[axis]! + moved[axis]!) / size);
+      return new Vector3(x!, z!, -y!); // z of the mesh upwards
+    };
     for (const part of this.parts.values()) {
-      const moved = explodedBy(part.centre, ofAll, this.share);
-      const at = [0, 1, 2].map((axis) => (part.surface.origin[axis]! - ofAll[axis]! + moved[axis]!) / size);
-      part.mesh.position.set(at[0]!, at[2]!, -at[1]!); // z of the mesh upwards
+      part.mesh.position.copy(placed(part.surface.origin, part.centre));
       part.mesh.rotation.x = -Math.PI / 2;
       part.mesh.scale.setScalar(1 / size);
     }
+    const holder = this.holderOf(this.marked, size);
+    this.mark.visible = holder !== undefined;
+    if (holder) this.mark.position.copy(placed(this.marked!, holder.centre));
+    this.mark.scale.setScalar(0.012 * this.place.radius);
     this.camera.aspect = this.width / this.height;
     this.camera.near = this.place.radius / 100;
     this.camera.far = this.place.radius + 4 + 4 * this.share;
@@ -200,6 +235,7 @@ export class ShapeScene {
       this.arrange();
       this.renderer.render(this.scene, this.camera);
       const { triangles } = this.renderer.info.render;
+      this.canvas.dataset.marks = this.mark.visible ? '1' : '0';
       this.canvas.dataset.parts = String(this.parts.size);
       this.canvas.dataset.triangles = String(triangles);
       this.canvas.dataset.drawMs = (performance.now() - begin).toFixed(1);

@@ -11,6 +11,8 @@ import type { Job, SurfaceLine, SurfaceList } from '../api/types';
 import { counted, duration, figure, whole } from '../logic/format';
 import type { Meshing } from '../logic/meshing_tasks';
 import { meshingOf } from '../logic/meshing_tasks';
+import type { WorstPlace } from '../logic/quality';
+import { worstPlaceOf } from '../logic/quality';
 import { taskAddress } from '../logic/router';
 import { trianglesForEach } from '../logic/shown_surface';
 import type { ShownSubdomain } from '../logic/shown_subdomains';
@@ -192,14 +194,16 @@ function Chosen({ shown }: { shown: ShownSubdomain | undefined }) {
 }
 
 interface ViewProps {
+  worst: WorstPlace | undefined;
   list: SurfaceList;
   loaded: readonly LoadedSurface[];
   shown: readonly ShownSubdomain[];
 }
 
-function SpaceView({ list, loaded, shown }: ViewProps) {
+function SpaceView({ list, loaded, shown, worst }: ViewProps) {
   const [way, go] = useState<Way>('subdomain');
   const [exploded, explode] = useState(0);
+  const [marks, mark] = useState(true);
   const [chosen, choose] = useState<number>();
   const surfaces = useMemo(() => new Map(loaded.map(({ line, surface }) => [line.path, surface])), [loaded]);
   const pieces = useMemo(() => {
@@ -236,11 +240,18 @@ function SpaceView({ list, loaded, shown }: ViewProps) {
             onInput={(event) => explode(Number(event.currentTarget.value))}
           />
         </label>
+        {worst && (
+          <label class="check">
+            <input type="checkbox" checked={marks} onChange={(event) => mark(event.currentTarget.checked)} />
+            <span>◆ the smallest angle, {figure(worst.degrees)}°, at {worst.at.map(figure).join(', ')}</span>
+          </label>
+        )}
       </div>
       <ShapeCanvas
         surfaces={surfaces}
         colourOf={colourOf}
         exploded={exploded / 100}
+        mark={marks ? worst?.at : undefined}
         label={`The job’s sub-domains in space, coloured by ${wayWords[way].toLowerCase()}. Arrow keys turn, plus and minus zoom, 0 shows all. The table below has the same.`}
         onChoose={choose}
       />
@@ -264,6 +275,7 @@ export function ShapeTab({ job, tasks, attempts }: TabProps) {
     const meshing = meshingOf(tasks, attempts);
     return (list?.surfaces ?? []).map((line) => shownOf(line, meshing.get(line.path)));
   }, [list, tasks, attempts]);
+  const worst = useMemo(() => worstPlaceOf(job.result), [job.result]);
   if (!list) return asked.error ? <Trouble error={asked.error} /> : <Waiting what="Asking for the sub-domains…" />;
   if (list.surfaces.length === 0) return <Empty>No sub-domains yet.</Empty>;
   return (
@@ -271,7 +283,7 @@ export function ShapeTab({ job, tasks, attempts }: TabProps) {
       <Trouble error={asked.error} isKnown />
       <Summary list={list} loaded={loaded} toCome={toCome} />
       <Missing list={list} failed={failed} trouble={trouble} />
-      {list.sees_files && <SpaceView list={list} loaded={loaded} shown={shown} />}
+      {list.sees_files && <SpaceView list={list} loaded={loaded} shown={shown} worst={worst} />}
       <h2>Sub-domains</h2>
       <Table shown={shown} />
     </>

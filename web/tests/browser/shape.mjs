@@ -58,7 +58,7 @@ async function seen(page) {
 test('sub-domains are drawn in space, with colours, a legend and a summary', async () => {
   const { page, close } = await open('/jobs/job-8/shape');
   await allDrawn(page, 24);
-  assert.equal(await number(page, 'triangles'), 24 * 12);
+  assert.equal(await number(page, 'triangles'), 24 * 12 + 2 * 8, 'those of boxes, and of the mark');
   const first = await seen(page);
   assert.ok(first.share > 0.05 && first.share < 0.9, `${first.share} of the canvas is drawn on`);
   assert.ok(first.colours >= 7, `${first.colours} colours`);
@@ -97,6 +97,9 @@ test('they are pulled apart, turned and zoomed, by pointer, keys and buttons', a
   await changes('pulled apart', () => page.getByLabel('Pulled apart').fill('120'));
   await canvasOf(page).focus();
   for (const key of ['ArrowLeft', 'ArrowUp', '+', 'Shift+ArrowRight', '0']) await changes(key, () => page.keyboard.press(key));
+  assert.equal(await number(page, 'marks'), 1);
+  await changes('no mark', () => page.getByLabel(/the smallest angle, 11\.27°, at 0\.3100, 0\.4200/).uncheck());
+  assert.equal(await number(page, 'marks'), 0);
   for (const words of ['Zoom in', 'Turn right', 'Whole job']) await changes(words, () => page.getByRole('button', { name: words }).click());
   const box = await canvasOf(page).boundingBox();
   await changes('the wheel', async () => {
