@@ -22,6 +22,7 @@ describe('parseShownSurface', () => {
     const surface = parseShownSurface(bytesOfTwo());
     expect([...surface.triangles]).toEqual([0, 1, 2, 0, 2, 3]);
     expect([...surface.pieces]).toEqual([7, -1]);
+    expect(surface.kinds).toEqual([7, -1]);
     expect(surface.vertices.length).toBe(12);
     expect(surface.wholeTriangles).toBe(500);
     expect(boxOf(surface)).toEqual({ low: [1e9 - 1, 1, 3], high: [1e9 + 1, 3, 3] });
@@ -75,8 +76,8 @@ describe('trianglesForEach', () => {
   it('is a power of two that the server takes, within the budget where it can be', () => {
     expect(trianglesForEach(0)).toBe(32_768);
     expect(trianglesForEach(1)).toBe(32_768);
-    expect(trianglesForEach(100)).toBe(4096);
+    expect(trianglesForEach(100)).toBe(2048);
     expect(trianglesForEach(2000)).toBe(256);
-    for (const count of [20, 77, 500, 1999]) expect(count * trianglesForEach(count)).toBeLessThanOrEqual(600_000);
+    for (const count of [20, 77, 500, 1100]) expect(count * trianglesForEach(count)).toBeLessThanOrEqual(300_000);
   });
 });

@@ -5,6 +5,7 @@ export interface ShownSurface {
   vertices: Float32Array; // three for each, seen from the origin
   triangles: Uint32Array; // three for each
   pieces: Int32Array; // a patch by its number, or one of those below
+  kinds: readonly number[]; // the pieces that there are, each once
   wholeTriangles: number; // before the server made them fewer
   origin: [number, number, number];
 }
@@ -45,7 +46,7 @@ export function parseShownSurface(bytes: ArrayBuffer): ShownSurface {
   const pieces = new Int32Array(bytes, headBytes + vertices.byteLength + triangles.byteLength, triangleCount);
   if (!origin.every(Number.isFinite) || !vertices.every(Number.isFinite)) refuse('has a place that is none');
   if (!hasOnlyKnownVertices(triangles, vertexCount)) refuse('has a corner that is none');
-  return { vertices, triangles, pieces, wholeTriangles: head.getUint32(20, true), origin };
+  return { vertices, triangles, pieces, kinds: [...new Set(pieces)], wholeTriangles: head.getUint32(20, true), origin };
 }
 
 export interface Box {
@@ -97,7 +98,7 @@ export function explodedBy(
 
 /** Triangles to ask for of each of so many sub-domains, so that a slow computer draws them all: a
  * power of two. */
-export function trianglesForEach(count: number, budget = 600_000): number {
+export function trianglesForEach(count: number, budget = 300_000): number {
   const fair = Math.log2(budget / Math.max(1, count));
   return 2 ** Math.min(15, Math.max(8, Math.floor(fair)));
 }

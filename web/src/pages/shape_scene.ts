@@ -16,6 +16,7 @@ interface Part {
   box: Box;
   centre: [number, number, number];
   mesh: Mesh<BufferGeometry, MeshLambertMaterial>;
+  painted: string; // in which colours its pieces are
 }
 
 const fieldOfView = 40; // degrees
@@ -37,20 +38,22 @@ function geometryOf(surface: ShownSurface): BufferGeometry {
   return geometry;
 }
 
+/** As three.js wants it: linear, in bytes. */
+function linear([r, g, b]: Rgb): Rgb {
+  const made = new Color().setRGB(r / 255, g / 255, b / 255, 'srgb');
+  return [Math.round(255 * made.r), Math.round(255 * made.g), Math.round(255 * made.b)];
+}
+
 function paint(part: Part, path: number, colourOf: ColourOf): void {
+  const { pieces, kinds } = part.surface;
+  const kind2colour = new Map(kinds.map((kind) => [kind, linear(colourOf(path, kind))]));
+  const painted = JSON.stringify([...kind2colour.values()]);
+  if (painted === part.painted) return;
+  part.painted = painted;
   const attribute = part.mesh.geometry.getAttribute('color') as BufferAttribute;
   const values = attribute.array as Uint8Array;
-  const { pieces } = part.surface;
-  const linear = new Map<number, Rgb>();
   for (let triangle = 0; triangle < pieces.length; ++triangle) {
-    const piece = pieces[triangle]!;
-    let colour = linear.get(piece);
-    if (!colour) {
-      const [r, g, b] = colourOf(path, piece);
-      const made = new Color().setRGB(r / 255, g / 255, b / 255, 'srgb');
-      colour = [Math.round(255 * made.r), Math.round(255 * made.g), Math.round(255 * made.b)];
-      linear.set(piece, colour);
-    }
+    const colour = kind2colour.get(pieces[triangle]!)!;
     for (let corner = 0; corner < 3; ++corner) values.set(colour, 9 * triangle + 3 * corner);
   }
   attribute.needsUpdate = true;
@@ -183,7 +186,7 @@ export class ShapeScene {
     const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, flatShading: true });
     const mesh = new Mesh(geometryOf(surface), material);
     const box = boxOf(surface);
-    this.parts.set(path, { surface, box, centre: centreOf(box), mesh });
+    this.parts.set(path, { surface, box, centre: centreOf(box), mesh, painted: '' });
     this.scene.add(mesh);
   }
 

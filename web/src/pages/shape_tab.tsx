@@ -54,19 +54,28 @@ function useSurfaceList(job: Job) {
   return asked;
 }
 
-/** What of them has come; the same array until more comes. */
+/** While many come, they are drawn together. */
+const drawEveryMs = 250;
+
+/** What of them has come. */
 function useSurfaces(job: string, list: SurfaceList | undefined) {
   const [loaded, set] = useState<{ surfaces: LoadedSurface[]; toCome: number; failed: number; trouble: string }>({
     surfaces: [], toCome: 0, failed: 0, trouble: '',
   });
   const loader = useRef<SurfaceLoader>();
   useEffect(() => {
-    const own = new SurfaceLoader(job, () => {
+    let timer = 0;
+    const tell = () => {
+      timer = 0;
       const { count, trouble } = own.failed();
       set({ surfaces: own.loaded(), toCome: own.toCome(), failed: count, trouble });
-    });
+    };
+    const own = new SurfaceLoader(job, () => (timer ||= window.setTimeout(tell, drawEveryMs)));
     loader.current = own;
-    return () => own.stop();
+    return () => {
+      own.stop();
+      window.clearTimeout(timer);
+    };
   }, [job]);
   useEffect(() => {
     if (!list) return;
@@ -208,7 +217,7 @@ function SpaceView({ list, loaded, shown, worst }: ViewProps) {
   const surfaces = useMemo(() => new Map(loaded.map(({ line, surface }) => [line.path, surface])), [loaded]);
   const pieces = useMemo(() => {
     const found = new Set<number>();
-    for (const { surface } of loaded) for (const piece of surface.pieces) found.add(piece);
+    for (const { surface } of loaded) for (const kind of surface.kinds) found.add(kind);
     return found;
   }, [loaded]);
   const { colouring, colourOf } = useMemo(() => {
