@@ -157,7 +157,8 @@ std::optional<ApiError> read_parameter(std::string_view name, const std::string&
     return bounds(most_events);
   }
   if (name == "triangles" && request.subject == ApiSubject::surface) {
-    if (!read_bounded(value, most_triangles, request.triangles)) return bounds(most_triangles);
+    if (!read_bounded(value, most_shown_triangles, request.triangles))
+      return bounds(most_shown_triangles);
     request.triangles = std::bit_floor(request.triangles);
     return std::nullopt;
   }

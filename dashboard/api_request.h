@@ -57,7 +57,7 @@ struct ApiError {
 inline constexpr std::uint32_t most_rows = 20'000;
 inline constexpr std::uint32_t most_events = 1'000;
 /// The most triangles of a surface.
-inline constexpr std::uint32_t most_triangles = 131'072;
+inline constexpr std::uint32_t most_shown_triangles = 131'072;
 
 /// Whether a path is one of ours: /api or below.
 bool is_api_path(std::string_view target);

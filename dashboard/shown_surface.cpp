@@ -59,12 +59,11 @@ std::vector<std::int32_t> pieces_of_boundary(const Subdomain& subdomain,
 }
 
 std::string shown_surface(const Subdomain& subdomain, std::span<const std::int32_t> pieces,
-                          std::size_t most_triangles, const std::string& name) {
+                          std::size_t most, const std::string& name) {
   TF_CHECK(pieces.size() == subdomain.triangles.size());
   const Box3 box = checked_box(subdomain, name);
   const Vec3 origin = box.empty() ? Vec3{} : 0.5 * (box.low + box.high);
-  const FewerTriangles few =
-      fewer_triangles(subdomain.vertices, subdomain.triangles, most_triangles);
+  const FewerTriangles few = fewer_triangles(subdomain.vertices, subdomain.triangles, most);
   ByteWriter writer;
   writer.reserve(shown_surface_head + 12 * few.vertices.size() + 16 * few.triangles.size());
   writer.text(shown_magic);

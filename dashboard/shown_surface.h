@@ -32,6 +32,6 @@ std::vector<std::uint32_t> numbers_in_input(const Subdomain& subdomain);
 /// number below 1e30.
 /// Cost: as fewer_triangles().
 std::string shown_surface(const Subdomain& subdomain, std::span<const std::int32_t> pieces,
-                          std::size_t most_triangles, const std::string& name);
+                          std::size_t most, const std::string& name);
 
 }  // namespace tetfarm

@@ -128,7 +128,8 @@ std::string SurfaceAnswers::list(const std::string& job, FarmSource& source) {
 }
 
 ApiAnswer SurfaceAnswers::surface(const ApiRequest& request, FarmSource& source) {
-  TF_CHECK(request.number > 0 && request.triangles > 0 && request.triangles <= most_triangles);
+  TF_CHECK(request.number > 0 && request.triangles > 0 &&
+           request.triangles <= most_shown_triangles);
   const Kept kept = subdomains(request.job, source);
   const auto& lines = kept.thing->lines;
   const auto line = std::find_if(lines.begin(), lines.end(), [&](const wire::SubdomainLine& other) {

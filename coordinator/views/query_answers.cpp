@@ -8,7 +8,6 @@
 #include "coordinator/decisions/message_translation.h"
 #include "coordinator/decisions/task_rows.h"
 #include "coordinator/views/running_tasks.h"
-#include "tasks/inspect_contract.h"
 
 namespace tetfarm {
 namespace {
@@ -340,13 +339,11 @@ class Answer {
   void add_surface() {
     constexpr std::size_t first_tasks = 2;
     for (const TaskRow& task : history_.tasks(job_, TaskId{}, first_tasks)) {
-      if (task.kind != TaskKind::inspect || task.state != TaskState::done) continue;
       const std::optional<TaskRow> whole = whole_task(task.id);
-      if (!whole) continue;
-      const TaskFile surface = made_by<InspectMade>(*whole).surface;
-      if (surface.hash.empty()) continue;
-      reply_.mutable_surface()->set_hash(surface.hash);
-      reply_.mutable_surface()->set_size(surface.size);
+      const std::optional<TaskFile> surface = whole ? inspected_surface(*whole) : std::nullopt;
+      if (!surface) continue;
+      reply_.mutable_surface()->set_hash(surface->hash);
+      reply_.mutable_surface()->set_size(surface->size);
     }
   }
 

@@ -51,7 +51,7 @@ TEST(ApiRequest, asks_for_triangles_by_powers_of_two_so_that_answers_serve_many)
   EXPECT_EQ(asked(surface).triangles, 16'384U);
   EXPECT_EQ(asked(surface + "?triangles=1").triangles, 1U);
   EXPECT_EQ(asked(surface + "?triangles=2047").triangles, 1'024U);
-  EXPECT_EQ(asked(surface + "?triangles=131072").triangles, most_triangles);
+  EXPECT_EQ(asked(surface + "?triangles=131072").triangles, most_shown_triangles);
 }
 
 TEST(ApiRequest, is_refused_where_a_parameter_is_unknown_or_out_of_bounds) {
