@@ -45,7 +45,7 @@ std::vector<std::int32_t> pieces_of_boundary(const Subdomain& subdomain,
   std::size_t next = 0;
   for (const Origin& origin : subdomain.triangle_origin) {
     if (origin.owner == top_of_layers) {
-      pieces.push_back(code_of(ShownPiece::top_of_layers));
+      pieces.push_back(code_of(ShownPiece::top));
     } else if (origin.owner != 0) {
       pieces.push_back(code_of(ShownPiece::cut));
     } else if (patches.empty()) {

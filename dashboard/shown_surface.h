@@ -16,7 +16,7 @@
 namespace tetfarm {
 
 /// What a triangle is a piece of when it is of no patch that is known.
-enum class ShownPiece : std::int32_t { cut = -1, top_of_layers = -2, unknown_patch = -3 };
+enum class ShownPiece : std::int32_t { cut = -1, top = -2, unknown_patch = -3 };
 
 inline constexpr std::size_t shown_surface_head = 48;
 
