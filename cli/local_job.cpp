@@ -100,10 +100,12 @@ std::vector<std::uint64_t> ask_what_is_under_way(CoordinatorConnection& connecti
 }
 
 /// Browsers see the farm while it lives; standard error says where.
-std::unique_ptr<Dashboard> dashboard_of(const RunOptions& options, const LocalFarm& farm) {
+std::unique_ptr<Dashboard> dashboard_of(const RunOptions& options,
+                                        const std::filesystem::path& store, const LocalFarm& farm) {
   if (!options.is_watched) return nullptr;
   ViewOptions view;
   view.client.endpoint = farm.endpoint();
+  view.store = store.string();
   auto dashboard = std::make_unique<Dashboard>(
       DashboardOptions{.address = options.http_address, .token_file = {}, .acts = false},
       std::make_unique<WatchedFarm>(view));
@@ -119,7 +121,7 @@ LocalOutcome work(const RunOptions& options, const std::filesystem::path& store,
                   .first_workers = std::min(worker_count(options), cores()),
                   .grace_s = options.grace_s,
                   .runs_solvers = options.runs_solvers});
-  std::unique_ptr<Dashboard> dashboard = dashboard_of(options, farm);
+  std::unique_ptr<Dashboard> dashboard = dashboard_of(options, store, farm);
   CoordinatorConnection connection(farm.endpoint());
   ProgressDisplay display(options.progress);
   try {

@@ -6,6 +6,7 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "cli/coordinator_connection.h"
+#include "cli/run_folder.h"
 
 namespace tetfarm {
 namespace {
@@ -32,6 +33,8 @@ WatchedFarm::WatchedFarm(const ViewOptions& options)
       opened_ms_(steady_ms()) {
   TF_CHECK(timeout_ms_ >= 0);
   view_.emplace(options_);
+  const auto store = options.store.empty() ? std::nullopt : store_of(options.store);
+  if (store) files_.emplace(ArtifactStore::open_existing(*store));
 }
 
 /// @throws as FarmView.
@@ -95,6 +98,11 @@ CoordinatorConnection& WatchedFarm::coordinator() {
     throw Error(ExitCode::failed, "no coordinator uses this store: there is nobody to do it");
   }
   return *connection;
+}
+
+std::optional<std::filesystem::path> WatchedFarm::find_file(const wire::Artifact& file) {
+  if (!files_ || !files_->has(file.hash(), file.size())) return std::nullopt;
+  return files_->path_of(file.hash());
 }
 
 bool WatchedFarm::cancel(const std::string& job) {

@@ -11,6 +11,7 @@
 #include "cli/command_line.h"
 #include "cli/farm_view.h"
 #include "dashboard/farm_source.h"
+#include "store/artifact_store.h"
 
 namespace tetfarm {
 
@@ -22,6 +23,8 @@ class WatchedFarm : public FarmSource {
   wire::StatusReply farm() override;
   wire::StatusReply job(const std::string& job) override;
   wire::QueryReply page(const wire::Query& query) override;
+  std::optional<std::filesystem::path> find_file(const wire::Artifact& file) override;
+  bool sees_files() const override { return files_.has_value(); }
   bool cancel(const std::string& job) override;
   std::uint64_t retry(const wire::Retry& retry) override;
   std::uint64_t drain(std::uint64_t worker) override;
@@ -39,6 +42,7 @@ class WatchedFarm : public FarmSource {
   ViewOptions options_;
   std::int64_t timeout_ms_;
   std::optional<FarmView> view_;
+  std::optional<ArtifactStore> files_;  ///< of the store, where one is named
   std::int64_t opened_ms_ = 0;
   std::atomic<bool> has_given_up_ = false;
 };

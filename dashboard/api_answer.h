@@ -1,4 +1,4 @@
-/// What the API answers: a status of HTTP and JSON, which many may be given at once.
+/// What the API answers: a status of HTTP, and JSON or bytes, which many may be given at once.
 #pragma once
 
 #include <functional>
@@ -10,9 +10,13 @@
 
 namespace tetfarm {
 
+/// What an answer is: text, or numbers as they lie in memory.
+enum class ApiForm { json, bytes };
+
 struct ApiAnswer {
   int status = 200;
   std::shared_ptr<const std::string> body;
+  ApiForm form = ApiForm::json;
 };
 
 /// Called once with the answer, in whatever thread has it.

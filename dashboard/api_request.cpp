@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <optional>
 
@@ -12,11 +13,11 @@ namespace {
 
 struct ApiRoute {
   const char* method = "";
-  std::string_view path;  ///< JOB, TASK and WORKER stand for one
+  std::string_view path;  ///< JOB, TASK, WORKER and SUBDOMAIN stand for one
   ApiSubject subject = ApiSubject::about;
 };
 
-constexpr std::array<ApiRoute, 16> api_routes = {{
+constexpr std::array<ApiRoute, 18> api_routes = {{
     {"GET", "/api/v1", ApiSubject::about},
     {"GET", "/api/v1/farm", ApiSubject::farm},
     {"GET", "/api/v1/jobs", ApiSubject::jobs},
@@ -24,6 +25,8 @@ constexpr std::array<ApiRoute, 16> api_routes = {{
     {"GET", "/api/v1/jobs/JOB/tasks", ApiSubject::tasks},
     {"GET", "/api/v1/jobs/JOB/attempts", ApiSubject::attempts},
     {"GET", "/api/v1/jobs/JOB/events", ApiSubject::job_events},
+    {"GET", "/api/v1/jobs/JOB/surfaces", ApiSubject::surfaces},
+    {"GET", "/api/v1/jobs/JOB/surfaces/SUBDOMAIN", ApiSubject::surface},
     {"GET", "/api/v1/tasks/TASK", ApiSubject::task},
     {"GET", "/api/v1/tasks/TASK/logs", ApiSubject::task_logs},
     {"GET", "/api/v1/workers", ApiSubject::workers},
@@ -66,7 +69,8 @@ bool takes_part(std::string_view wanted, std::string_view part, ApiRequest& requ
     request.job = part;
     return true;
   }
-  if (wanted != "TASK" && wanted != "WORKER") return wanted == part;
+  const bool is_number = wanted == "TASK" || wanted == "WORKER" || wanted == "SUBDOMAIN";
+  if (!is_number) return wanted == part;
   std::optional<std::uint64_t> number = number_in(part);
   if (wanted == "WORKER" && !number) number = number_after("worker-", part);
   if (!number || *number == 0) return false;  // 0 stands for all of them elsewhere
@@ -151,6 +155,12 @@ std::optional<ApiError> read_parameter(std::string_view name, const std::string&
   if (name == "last" && is_events) {
     if (read_bounded(value, most_events, request.last)) return std::nullopt;
     return bounds(most_events);
+  }
+  if (name == "triangles" && request.subject == ApiSubject::surface) {
+    if (!read_bounded(value, most_shown_triangles, request.triangles))
+      return bounds(most_shown_triangles);
+    request.triangles = std::bit_floor(request.triangles);
+    return std::nullopt;
   }
   if (name == "gone" && request.subject == ApiSubject::workers && (value == "0" || value == "1")) {
     request.with_gone = value == "1";

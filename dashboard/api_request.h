@@ -20,6 +20,8 @@ enum class ApiSubject {
   tasks,
   attempts,
   job_events,
+  surfaces,
+  surface,
   task,
   task_logs,
   workers,
@@ -35,12 +37,13 @@ enum class ApiSubject {
 struct ApiRequest {
   ApiSubject subject = ApiSubject::about;
   std::string job;                   ///< "job-7"; "": it is not about one
-  std::uint64_t number = 0;          ///< of a task or a worker
+  std::uint64_t number = 0;          ///< of a task, a worker or a sub-domain
   bool with_gone = false;            ///< workers that have left, too
   std::uint32_t last = 200;          ///< of events: so many, the newest
   std::vector<std::string> columns;  ///< of a table; empty: all
   std::uint64_t after = 0;           ///< rows of a table with higher numbers
   std::uint32_t limit = 20'000;      ///< rows of a page
+  std::uint32_t triangles = 16'384;  ///< of a surface: at most so many, a power of two
 };
 
 /// Why there is no answer: a status of HTTP, what is wrong, and what to do about it.
@@ -53,6 +56,8 @@ struct ApiError {
 /// The most rows of a page, and the most events.
 inline constexpr std::uint32_t most_rows = 20'000;
 inline constexpr std::uint32_t most_events = 1'000;
+/// The most triangles of a surface.
+inline constexpr std::uint32_t most_shown_triangles = 131'072;
 
 /// Whether a path is one of ours: /api or below.
 bool is_api_path(std::string_view target);

@@ -21,6 +21,7 @@ WebAnswer web_answer(const ApiAnswer& answer) {
   WebAnswer web;
   web.status = answer.status;
   web.body = answer.body;
+  if (answer.form == ApiForm::bytes) web.type = "application/octet-stream";
   return web;
 }
 

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "proto/messages.pb.h"
@@ -23,6 +25,12 @@ class FarmSource {
   virtual wire::StatusReply job(const std::string& job) = 0;
   /// One page of rows.
   virtual wire::QueryReply page(const wire::Query& query) = 0;
+
+  /// Where a file of the store lies, when it is there and of that size; nothing when it is not, or
+  /// the store is not seen.
+  virtual std::optional<std::filesystem::path> find_file(const wire::Artifact& file) = 0;
+  /// Whether the store is seen.
+  virtual bool sees_files() const = 0;
 
   /// False when there is no such job.
   virtual bool cancel(const std::string& job) = 0;

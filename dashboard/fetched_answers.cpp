@@ -110,18 +110,23 @@ std::string done_by(const ApiRequest& request, FarmSource& source) {
 }
 
 /// What the farm refused, in words of HTTP.
-ApiError error_of(const Error& error, bool is_of_act) {
+ApiError error_of(const Error& error, ApiSubject subject) {
+  const bool is_of_surface = subject == ApiSubject::surface || subject == ApiSubject::surfaces;
   switch (error.code()) {
     case ExitCode::not_found:
-      return {404, error.what(), "GET /api/v1/jobs lists the jobs that are there"};
+      return {404, error.what(),
+              is_of_surface ? "GET /api/v1/jobs/JOB/surfaces lists what can be drawn"
+                            : "GET /api/v1/jobs lists the jobs that are there"};
     case ExitCode::usage:
       return {400, error.what(), "docs/api.md says what may be asked"};
     case ExitCode::out_of_resources:
-      return {503, error.what(), "use the command line: tetfarm tasks --json"};
+      return {503, error.what(),
+              is_of_surface ? "look at the mesh itself: tetfarm render"
+                            : "use the command line: tetfarm tasks --json"};
     default:
-      return is_of_act ? ApiError{403, error.what(),
-                                  "give the dashboard a key whose role may do this (--key)"}
-                       : ApiError{502, error.what(), "the log of the coordinator says more"};
+      return is_act(subject) ? ApiError{403, error.what(),
+                                        "give the dashboard a key whose role may do this (--key)"}
+                             : ApiError{502, error.what(), "the log of the coordinator says more"};
   }
 }
 
@@ -170,6 +175,8 @@ std::string FetchedAnswers::fetched(const ApiRequest& request, FarmSource& sourc
       return logs_of(request, source);
     case ApiSubject::workers:
       return all_workers(request, source);
+    case ApiSubject::surfaces:
+      return surfaces_.list(request.job, source);
     default:
       TF_CHECK(request.subject == ApiSubject::job_events || request.subject == ApiSubject::events);
       return events_of_job(request, source);
@@ -181,10 +188,11 @@ ApiAnswer FetchedAnswers::answer(const ApiRequest& request, FarmSource& source, 
   const std::int64_t begin_ms = clock_().steady_ms;
   const bool acts = is_act(request.subject);
   if (!acts) {
-    if (const auto* kept = answers_.find(name, begin_ms)) return {200, kept->thing};
+    if (const auto* kept = answers_.find(name, begin_ms)) return {200, kept->thing, ApiForm::json};
   }
   try {
     if (acts) return answer_of(done_by(request, source));
+    if (request.subject == ApiSubject::surface) return surfaces_.surface(request, source);
     if (request.subject == ApiSubject::tasks || request.subject == ApiSubject::attempts) {
       return page(request, source);
     }
@@ -195,7 +203,7 @@ ApiAnswer FetchedAnswers::answer(const ApiRequest& request, FarmSource& source, 
   } catch (const NoAnswer&) {
     throw;
   } catch (const Error& error) {
-    return answer_of(error_of(error, acts));
+    return answer_of(error_of(error, request.subject));
   }
 }
 

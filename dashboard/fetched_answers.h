@@ -1,7 +1,8 @@
 /// Answers for which the farm has to be asked: of single jobs and tasks, tables, old events, and
 /// what changes something. Used by one thread; what was fetched is kept for others who ask.
 ///
-/// At most two million rows of four tables and 64 MiB of 256 answers are kept.
+/// The surfaces of sub-domains have bounds of their own (surface_answers.h); of the rest, at most
+/// two million rows of four tables and 64 MiB of 256 answers are kept.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include "dashboard/farm_source.h"
 #include "dashboard/kept_things.h"
 #include "dashboard/row_table.h"
+#include "dashboard/surface_answers.h"
 
 namespace tetfarm {
 
@@ -32,6 +34,7 @@ class FetchedAnswers {
 
   Clock clock_;
   KeptThings<RowTable> tables_{4, 2'000'000};
+  SurfaceAnswers surfaces_{[clock = clock_] { return clock().steady_ms; }};
   KeptThings<std::string> answers_{256, std::size_t{64} << 20U};
 };
 

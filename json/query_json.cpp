@@ -35,6 +35,7 @@ Json task_values(const wire::TaskLine& task) {
                {"expected_bytes", task.expected_bytes()},
                {"expected_elements", task.expected_elements()},
                {"elements", task.elements()},
+               {"min_dihedral_deg", task.min_dihedral_deg()},
                {"exit_code", task.exit_code()},
                {"message", task.message()}};
   add_doing(task, json);

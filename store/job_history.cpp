@@ -54,12 +54,12 @@ WorkerRow read_worker(Statement& rows) {
   return worker;
 }
 
-/// What each task was expected to take and took, of its values.
+/// What each task was expected to take and took, and how good what it made is, of its values.
 void read_costs(sqlite3* database, std::vector<TaskRow>& tasks) {
   Statement values(database,
                    "SELECT sort, name, number, text FROM task_values WHERE task = ? AND name IN "
                    "('expected_seconds', 'expected_bytes', 'cpu_seconds', 'tets', 'work', "
-                   "'size_elements', 'size_triangles', 'size_needles')");
+                   "'size_elements', 'size_triangles', 'size_needles', 'min_dihedral_deg')");
   for (TaskRow& task : tasks) {
     values.bind(task.id.value);
     while (values.step()) {
@@ -122,6 +122,11 @@ std::optional<TaskRow> JobHistory::task(TaskId task) const {
 }
 
 std::vector<SubdomainRow> JobHistory::tree(JobId job) const { return read_tree(database_, job); }
+
+std::vector<SubdomainRow> JobHistory::tree(JobId job, std::uint64_t after,
+                                           std::size_t limit) const {
+  return read_tree(database_, job, after, limit);
+}
 
 std::vector<AttemptRow> JobHistory::running_attempts() const {
   const std::string sql =

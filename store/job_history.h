@@ -49,12 +49,14 @@ class JobHistory {
   std::vector<PastEvent> events(const EventFilter& filter) const;
 
   /// Tasks of a job (0: all jobs) with ids above `after`, by rising id, without files; of their
-  /// values those that tell what was expected of them and what they took.
+  /// values those that tell what was expected of them, what they took, and their smallest angle.
   /// Cost: of a job, its tasks.
   std::vector<TaskRow> tasks(JobId job, TaskId after, std::size_t limit) const;
   std::optional<TaskRow> task(TaskId task) const;
   /// The sub-domains of a job by rising path.
   std::vector<SubdomainRow> tree(JobId job) const;
+  /// Those with paths above `after` only, at most `limit`. Cost: these.
+  std::vector<SubdomainRow> tree(JobId job, std::uint64_t after, std::size_t limit) const;
 
   std::vector<AttemptRow> running_attempts() const;
   /// Every attempt of a task, by rising id, without logs.

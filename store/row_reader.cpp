@@ -94,26 +94,32 @@ Part unfinished_part() {
       "attempts JOIN tasks ON tasks.id = attempts.task WHERE attempts.state = 'running'");
 }
 
+constexpr const char* subdomain_columns =
+    "SELECT job, path, parts, state, interdomain_nodes, interior_nodes, tets, meshed, hash, size, "
+    "work, joined_into FROM subdomains JOIN artifacts USING (hash)";
+
+SubdomainRow read_subdomain_columns(Statement& rows) {
+  SubdomainRow subdomain;
+  subdomain.job = JobId{rows.unsigned_integer()};
+  subdomain.path = rows.unsigned_integer();
+  subdomain.parts = static_cast<std::uint32_t>(rows.integer());
+  subdomain.state = subdomain_state_of(rows.text());
+  subdomain.interdomain_nodes = rows.unsigned_integer();
+  subdomain.interior_nodes = rows.unsigned_integer();
+  subdomain.tets = rows.unsigned_integer();
+  subdomain.meshed = rows.integer() != 0;
+  subdomain.hash = rows.text();
+  subdomain.size = rows.unsigned_integer();
+  subdomain.work = rows.real();
+  subdomain.joined_into = rows.unsigned_integer();
+  return subdomain;
+}
+
 void load_subdomains(sqlite3* database, const Part& part, DurableState& state) {
-  const std::string sql =
-      "SELECT job, path, parts, state, interdomain_nodes, interior_nodes, tets, meshed, "
-      "hash, size, work, joined_into FROM subdomains JOIN artifacts USING (hash)" +
-      part.of_job("job");
+  const std::string sql = subdomain_columns + part.of_job("job");
   Statement rows(database, sql.c_str());
   while (rows.step()) {
-    SubdomainRow subdomain;
-    subdomain.job = JobId{rows.unsigned_integer()};
-    subdomain.path = rows.unsigned_integer();
-    subdomain.parts = static_cast<std::uint32_t>(rows.integer());
-    subdomain.state = subdomain_state_of(rows.text());
-    subdomain.interdomain_nodes = rows.unsigned_integer();
-    subdomain.interior_nodes = rows.unsigned_integer();
-    subdomain.tets = rows.unsigned_integer();
-    subdomain.meshed = rows.integer() != 0;
-    subdomain.hash = rows.text();
-    subdomain.size = rows.unsigned_integer();
-    subdomain.work = rows.real();
-    subdomain.joined_into = rows.unsigned_integer();
+    SubdomainRow subdomain = read_subdomain_columns(rows);
     state.subdomains.emplace(SubdomainKey{subdomain.job, subdomain.path}, std::move(subdomain));
   }
 }
@@ -274,6 +280,17 @@ std::vector<SubdomainRow> read_tree(sqlite3* database, JobId job) {
   load_subdomains(database, part_of(std::to_string(job.value)), state);
   std::vector<SubdomainRow> tree;
   for (auto& [key, node] : state.subdomains) tree.push_back(std::move(node));
+  return tree;
+}
+
+std::vector<SubdomainRow> read_tree(sqlite3* database, JobId job, std::uint64_t after,
+                                    std::size_t limit) {
+  const std::string sql =
+      std::string(subdomain_columns) + " WHERE job = ?1 AND path > ?2 ORDER BY path LIMIT ?3";
+  Statement rows(database, sql.c_str());
+  rows.bind(job.value).bind(after).bind(static_cast<std::uint64_t>(limit));
+  std::vector<SubdomainRow> tree;
+  while (rows.step()) tree.push_back(read_subdomain_columns(rows));
   return tree;
 }
 

@@ -26,6 +26,8 @@ DurableState read_job(sqlite3* database, JobId job);
 std::optional<TaskRow> read_task(sqlite3* database, TaskId task);
 /// The sub-domains of a job by rising path.
 std::vector<SubdomainRow> read_tree(sqlite3* database, JobId job);
+std::vector<SubdomainRow> read_tree(sqlite3* database, JobId job, std::uint64_t after,
+                                    std::size_t limit);
 
 /// The SQL that gives the ids of all tasks of some jobs, which are SQL too; each half by its index.
 std::string ids_of_tasks(const std::string& jobs);

@@ -1,10 +1,11 @@
-// How the bundle is made: index.html, app.js, app.css and favicon.svg under fixed names, nothing
-// inline (the server's Content-Security-Policy forbids it), licences of bundled packages in front.
+// How the bundle is made: index.html, app.js, app.css, favicon.svg and shape_scene.js, which only the
+// page that draws in space loads, under fixed names, nothing inline (the server's
+// Content-Security-Policy forbids it), licences of bundled packages in front.
 import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vite';
 import type { Plugin } from 'vite';
 
-const packages = ['preact', 'uplot'];
+const packages: Record<string, string[]> = { 'app.js': ['preact', 'uplot'], 'shape_scene.js': ['three'] };
 
 function licencesOf(names: string[]): string {
   const texts = names.map((name) => {
@@ -22,7 +23,10 @@ function licenceBanner(): Plugin {
     enforce: 'post',
     generateBundle(_options, bundle) {
       for (const file of Object.values(bundle)) {
-        if (file.type === 'chunk' && file.isEntry) file.code = licencesOf(packages) + file.code;
+        if (file.type !== 'chunk') continue;
+        const names = packages[file.fileName];
+        if (!names) throw new Error(`which packages are in ${file.fileName}?`);
+        file.code = licencesOf(names) + file.code;
       }
     },
   };
@@ -41,8 +45,8 @@ export default defineConfig({
     rollupOptions: {
       output: {
         entryFileNames: 'app.js',
+        chunkFileNames: '[name].js',
         assetFileNames: 'app[extname]',
-        inlineDynamicImports: true,
       },
     },
   },

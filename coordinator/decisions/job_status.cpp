@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include "coordinator/decisions/task_rows.h"
 #include "tasks/decompose_contract.h"
@@ -316,6 +315,12 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     summary.elements = static_cast<std::uint64_t>(elements->second);
   }
   return summary;
+}
+
+std::optional<TaskFile> inspected_surface(const TaskRow& task) {
+  if (task.kind != TaskKind::inspect || task.state != TaskState::done) return std::nullopt;
+  const TaskFile surface = made_by<InspectMade>(task).surface;
+  return surface.hash.empty() ? std::nullopt : std::optional(surface);
 }
 
 }  // namespace tetfarm

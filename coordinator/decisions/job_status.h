@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "store/rows.h"
+#include "tasks/task_contract.h"
 
 namespace tetfarm {
 
@@ -65,5 +67,9 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
 /// Cost: looks at every task of all jobs.
 JobSummary summary_of(const DurableState& durable, const JobRow& job,
                       const std::string& stuck_message, std::int64_t now_wall_ms);
+
+/// The surface that the job's sub-domains have their boundary of, when it is the result of this
+/// task; nothing otherwise.
+std::optional<TaskFile> inspected_surface(const TaskRow& task);
 
 }  // namespace tetfarm

@@ -45,6 +45,7 @@ class JobStatuses {
   TasksOfJobs tasks_;
 };
 
+/// And what it made, as far as that is a figure of every such task.
 void set_expectations(const TaskRow& task, wire::TaskLine& line) {
   const auto told = [&task](const char* name) {
     const auto found = task.numbers.find(name);
@@ -54,6 +55,7 @@ void set_expectations(const TaskRow& task, wire::TaskLine& line) {
   line.set_expected_bytes(told("expected_bytes"));
   line.set_cpu_seconds(told("cpu_seconds"));
   line.set_elements(told("tets"));
+  line.set_min_dihedral_deg(told("min_dihedral_deg"));
   if (const auto size = told_size(task)) line.set_expected_elements(size->elements);
 }
 
@@ -93,6 +95,9 @@ class Answer {
         break;
       case wire::Query::EXPLAIN:
         explain();
+        break;
+      case wire::Query::TREE:
+        tree();
         break;
       default:
         throw Error(ExitCode::usage, "the subject of the query is unknown to this coordinator");
@@ -320,6 +325,43 @@ class Answer {
       const auto maker = makers.find(input.hash);
       line.set_made_by(maker == makers.end() ? 0 : maker->second.value);
     }
+  }
+
+  /// With its files; of a job that ended long ago they are read.
+  std::optional<TaskRow> whole_task(TaskId id) const {
+    const auto at_hand = rows_.tasks.find(id);
+    if (at_hand != rows_.tasks.end()) return at_hand->second;
+    if (!state_.finished().is_kept()) return std::nullopt;
+    return state_.finished().task(id);
+  }
+
+  /// The surface that inspect made, whose pieces the sub-domains have; it is among the first tasks.
+  void add_surface() {
+    constexpr std::size_t first_tasks = 2;
+    for (const TaskRow& task : history_.tasks(job_, TaskId{}, first_tasks)) {
+      const std::optional<TaskRow> whole = whole_task(task.id);
+      const std::optional<TaskFile> surface = whole ? inspected_surface(*whole) : std::nullopt;
+      if (!surface) continue;
+      reply_.mutable_surface()->set_hash(surface->hash);
+      reply_.mutable_surface()->set_size(surface->size);
+    }
+  }
+
+  void tree() {
+    if (!job_) throw Error(ExitCode::usage, "a tree is of one job, which has to be named");
+    std::uint64_t last = 0;
+    for (const SubdomainRow& row : history_.tree(job_, query_.after(), limit_ + 1)) {
+      if (is_full(static_cast<std::size_t>(reply_.subdomains_size()), last)) break;
+      wire::SubdomainLine& line = *reply_.add_subdomains();
+      line.set_path(row.path);
+      line.set_state(name_of(row.state));
+      line.set_meshed(row.meshed);
+      line.set_hash(row.hash);
+      line.set_size(row.size);
+      counted(line);
+      last = row.path;
+    }
+    if (reply_.subdomains_size() > 0) add_surface();
   }
 
   const wire::Query& query_;

@@ -8,6 +8,8 @@
 
 #include "base/clock.h"
 #include "base/error.h"
+#include "store/artifact_store.h"
+#include "tests/base/temp_folder.h"
 #include "tests/cli/fake_coordinator.h"
 
 namespace tetfarm {
@@ -88,6 +90,31 @@ TEST_F(WatchedCoordinator, holds_nobody_up_who_gives_up) {
   EXPECT_THROW(farm.farm(), NoAnswer);
   giving_up.join();
   EXPECT_LT(steady_ms() - begin, 10'000);
+}
+
+TEST_F(WatchedCoordinator, shows_files_of_the_store_that_is_named_and_no_others) {
+  const TempFolder folder;
+  const ArtifactStore store(folder.path() / "store");
+  const StoredArtifact there = store.publish("a sub-domain");
+  ViewOptions seeing = options(10);
+  seeing.store = store.folder().string();
+  WatchedFarm farm(seeing);
+  EXPECT_TRUE(farm.sees_files());
+  wire::Artifact file;
+  file.set_hash(there.hash);
+  file.set_size(there.size);
+  EXPECT_EQ(farm.find_file(file), store.path_of(there.hash));
+  file.set_size(there.size + 1);
+  EXPECT_EQ(farm.find_file(file), std::nullopt);
+  for (const char* hash : {"", "../../store_id", "/etc/passwd", "..", "a/b"}) {
+    file.set_hash(hash);
+    EXPECT_EQ(farm.find_file(file), std::nullopt) << hash;
+  }
+  file.set_hash(there.hash);
+  file.set_size(there.size);
+  WatchedFarm blind(options(10));
+  EXPECT_FALSE(blind.sees_files());
+  EXPECT_EQ(blind.find_file(file), std::nullopt);
 }
 
 }  // namespace

@@ -27,6 +27,9 @@ TEST(ApiRequest, names_the_job_task_or_worker_of_its_path) {
   EXPECT_EQ(asked("/api/v1/jobs/job-7").job, "job-7");
   EXPECT_EQ(asked("/api/v1/jobs/job-7/tasks").subject, ApiSubject::tasks);
   EXPECT_EQ(asked("/api/v1/tasks/31/logs").number, 31U);
+  EXPECT_EQ(asked("/api/v1/jobs/job-7/surfaces").subject, ApiSubject::surfaces);
+  EXPECT_EQ(asked("/api/v1/jobs/job-7/surfaces/12").number, 12U);
+  EXPECT_EQ(asked("/api/v1/jobs/job-7/surfaces/12").job, "job-7");
   EXPECT_EQ(asked("/api/v1/workers/worker-3/drain", "POST").number, 3U);
   EXPECT_EQ(asked("/api/v1/workers/3/drain", "POST").subject, ApiSubject::drain_worker);
 }
@@ -43,11 +46,21 @@ TEST(ApiRequest, reads_the_parameters_of_a_table) {
   EXPECT_FALSE(asked("/api/v1/workers?gone=0").with_gone);
 }
 
+TEST(ApiRequest, asks_for_triangles_by_powers_of_two_so_that_answers_serve_many) {
+  const std::string surface = "/api/v1/jobs/job-1/surfaces/5";
+  EXPECT_EQ(asked(surface).triangles, 16'384U);
+  EXPECT_EQ(asked(surface + "?triangles=1").triangles, 1U);
+  EXPECT_EQ(asked(surface + "?triangles=2047").triangles, 1'024U);
+  EXPECT_EQ(asked(surface + "?triangles=131072").triangles, most_shown_triangles);
+}
+
 TEST(ApiRequest, is_refused_where_a_parameter_is_unknown_or_out_of_bounds) {
   for (const char* target :
        {"/api/v1/events?last=0", "/api/v1/events?last=1001", "/api/v1/events?last=x",
         "/api/v1/events?last=", "/api/v1/events?columns=task", "/api/v1/jobs?after=1",
         "/api/v1/jobs/job-1/tasks?limit=20001", "/api/v1/jobs/job-1/tasks?after=-1",
+        "/api/v1/jobs/job-1/surfaces/5?triangles=0",
+        "/api/v1/jobs/job-1/surfaces/5?triangles=131073", "/api/v1/jobs/job-1/surfaces?triangles=5",
         "/api/v1/workers?gone=yes", "/api/v1/farm?x=1", "/api/v1/farm?&"}) {
     EXPECT_EQ(refusal(target), 400) << target;
   }
@@ -55,11 +68,26 @@ TEST(ApiRequest, is_refused_where_a_parameter_is_unknown_or_out_of_bounds) {
 }
 
 TEST(ApiRequest, of_a_path_that_is_none_is_not_found) {
-  for (const char* target :
-       {"/api", "/api/", "/api/v2", "/api/v1/", "/api/v1/jobs/", "/api/v1/jobs/7",
-        "/api/v1/jobs/job-", "/api/v1/jobs/job-1x", "/api/v1/jobs/job-1/", "/api/v1/tasks/0",
-        "/api/v1/tasks/-1", "/api/v1/tasks/99999999999999999999", "/api/v1/jobs/../farm",
-        "/api/v1/jobs/job-1%2ftasks", "/api//v1/farm"}) {
+  for (const char* target : {"/api",
+                             "/api/",
+                             "/api/v2",
+                             "/api/v1/",
+                             "/api/v1/jobs/",
+                             "/api/v1/jobs/7",
+                             "/api/v1/jobs/job-",
+                             "/api/v1/jobs/job-1x",
+                             "/api/v1/jobs/job-1/",
+                             "/api/v1/tasks/0",
+                             "/api/v1/jobs/job-1/surfaces/0",
+                             "/api/v1/jobs/job-1/surfaces/LR",
+                             "/api/v1/jobs/job-1/surfaces/../5",
+                             "/api/v1/jobs/job-1/surfaces/5/",
+                             "/api/v1/jobs/job-1/surfaces/%2e%2e",
+                             "/api/v1/tasks/-1",
+                             "/api/v1/tasks/99999999999999999999",
+                             "/api/v1/jobs/../farm",
+                             "/api/v1/jobs/job-1%2ftasks",
+                             "/api//v1/farm"}) {
     EXPECT_EQ(refusal(target), 404) << target;
   }
 }
@@ -73,8 +101,8 @@ TEST(ApiRequest, of_another_method_is_told_so) {
 TEST(ApiRequest, acts_only_with_post) {
   for (const std::string& path : api_paths()) {
     std::string target = path.substr(path.find(' ') + 1);
-    for (const auto& [word, name] :
-         {std::pair{"JOB", "job-1"}, std::pair{"TASK", "1"}, std::pair{"WORKER", "1"}}) {
+    for (const auto& [word, name] : {std::pair{"JOB", "job-1"}, std::pair{"TASK", "1"},
+                                     std::pair{"WORKER", "1"}, std::pair{"SUBDOMAIN", "1"}}) {
       const std::size_t at = target.find(word);
       if (at != std::string::npos) target.replace(at, std::string(word).size(), name);
     }

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "base/file_system.h"
 #include "dashboard/farm_source.h"
 
 namespace tetfarm {
@@ -20,6 +23,9 @@ class FakeFarm : public FarmSource {
   std::vector<wire::WorkerLine> workers;
   std::vector<wire::EventLine> events;
   std::vector<wire::TaskLine> tasks;
+  std::vector<wire::SubdomainLine> subdomains;  ///< by rising path
+  wire::Artifact surface;                       ///< of the job
+  std::filesystem::path files;                  ///< folder of its store; "": it is not seen
   std::uint32_t rows_of_page = 1000;
   std::atomic<bool> is_silent = false;
   bool rests = false;
@@ -72,6 +78,9 @@ class FakeFarm : public FarmSource {
       add_rows(query, tasks, *reply.mutable_tasks(), reply);
     } else if (query.subject() == wire::Query::JOBS) {
       add_rows(query, jobs, *reply.mutable_jobs(), reply);
+    } else if (query.subject() == wire::Query::TREE) {
+      add_rows(query, subdomains, *reply.mutable_subdomains(), reply);
+      if (!surface.hash().empty()) *reply.mutable_surface() = surface;
     } else if (query.subject() == wire::Query::EXPLAIN) {
       if (query.task() == 99) throw Error(ExitCode::not_found, "no task 99");
       reply.mutable_explanation()->mutable_task()->set_task(query.task());
@@ -79,6 +88,12 @@ class FakeFarm : public FarmSource {
     }
     return reply;
   }
+  std::optional<std::filesystem::path> find_file(const wire::Artifact& file) override {
+    const std::filesystem::path path = files / file.hash();
+    if (!sees_files() || size_of_file(path) != file.size()) return std::nullopt;
+    return path;
+  }
+  bool sees_files() const override { return !files.empty(); }
   bool cancel(const std::string& name) override {
     note("cancel " + name);
     return true;

@@ -79,6 +79,7 @@ TEST(QueryJson, of_a_task_has_all_that_is_known_of_it) {
   task.set_expected_bytes(300);
   task.set_expected_elements(400);
   task.set_elements(500);
+  task.set_min_dihedral_deg(21.5);
   task.set_exit_code(6);
   task.set_message("why");
   EXPECT_EQ(task_json(task),
@@ -87,6 +88,7 @@ TEST(QueryJson, of_a_task_has_all_that_is_known_of_it) {
             R"("losses":2,"out_of_memory":3,"seconds":2.5,"peak_rss_bytes":100,)"
             R"("memory_bytes":200,"expected_seconds":3.5,"cpu_seconds":4.5,)"
             R"("expected_bytes":300.0,"expected_elements":400.0,"elements":500.0,)"
+            R"("min_dihedral_deg":21.5,)"
             R"("exit_code":6,"message":"why","doing":"","doing_stage":"","doing_pass":0,)"
             R"("doing_done":0,"doing_total":0,"share":0.0})");
 }

@@ -34,14 +34,31 @@ class AttackedDashboard : public test::FarmUnderAttack {
 };
 
 TEST_F(AttackedDashboard, tells_nothing_without_the_token) {
-  for (const char* target : {"/", "/app.js", "/api/v1", "/api/v1/farm", "/api/v1/changes",
-                             "/api/v1/jobs/job-1/cancel", "/healthz", "/?token=x"}) {
+  for (const char* target :
+       {"/", "/app.js", "/api/v1", "/api/v1/farm", "/api/v1/changes", "/api/v1/jobs/job-1/cancel",
+        "/api/v1/jobs/job-1/surfaces", "/api/v1/jobs/job-1/surfaces/1", "/healthz", "/?token=x"}) {
     const WebReply reply = dashboard_.get(target);
     EXPECT_EQ(reply.status, 401) << target;
     EXPECT_THAT(reply.head, HasSubstr("WWW-Authenticate: Basic"));
     EXPECT_THAT(reply.body, Not(HasSubstr("connected")));
   }
   EXPECT_EQ(dashboard_.get("/api/v1/farm", bearer()).json()["connected"], true);
+}
+
+TEST_F(AttackedDashboard, gives_no_file_but_the_surface_of_a_subdomain) {
+  const std::string surfaces = "/api/v1/jobs/job-1/surfaces/";
+  for (const char* part :
+       {"..", "../../store_id", "..%2f..%2fstore_id", "%2e%2e/%2e%2e/tetfarm.db", "0", "-1", "1/..",
+        "1%00", "18446744073709551616", "0x1", "1?triangles=0", "1?triangles=4294967297",
+        "1?triangles=-1", "1?triangles=1e9", "1?hash=00000000000000000000000000000000",
+        "1?triangles=64&triangles=999999"}) {
+    const WebReply reply = dashboard_.get(surfaces + part, bearer());
+    EXPECT_TRUE(reply.status == 400 || reply.status == 404) << part << ": " << reply.status;
+    EXPECT_THAT(reply.head, HasSubstr("Content-Type: application/json")) << part;
+  }
+  for (const char* path : {"1", "2", "9223372036854775807", "18446744073709551615"}) {
+    EXPECT_EQ(dashboard_.get(surfaces + path, bearer()).status, 404) << path;
+  }
 }
 
 TEST_F(AttackedDashboard, a_viewers_key_lets_nobody_act_whatever_the_dashboard_allows) {

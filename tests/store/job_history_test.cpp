@@ -114,6 +114,33 @@ TEST(JobHistory, attempts_of_a_job_come_page_by_page) {
   EXPECT_THAT(history.attempts_of({}, {}, 100), SizeIs(6));
 }
 
+TEST(JobHistory, subdomains_of_a_job_come_by_rising_path_page_by_page) {
+  const TempFolder folder;
+  JobDatabase database(folder.path() / "db");
+  ChangeSet changes = two_jobs();
+  for (std::uint64_t path = 7; path >= 1; --path) {
+    SubdomainRow row;
+    row.job = JobId{1 + path % 2};
+    row.path = path;
+    row.hash = std::string(32, 'a');
+    row.size = 10;
+    row.work = static_cast<double>(path);
+    changes.subdomains.push_back(row);
+  }
+  database.apply(changes);
+  const JobHistory history = database.history();
+  const std::vector<SubdomainRow> first = history.tree(JobId{2}, 0, 2);
+  ASSERT_THAT(first, SizeIs(2));
+  EXPECT_EQ(first[0].path, 1U);
+  EXPECT_EQ(first[1].path, 3U);
+  EXPECT_EQ(first[1].work, 3);
+  const std::vector<SubdomainRow> second = history.tree(JobId{2}, 3, 100);
+  ASSERT_THAT(second, SizeIs(2));
+  EXPECT_EQ(second[1].path, 7U);
+  EXPECT_THAT(history.tree(JobId{2}, 7, 100), IsEmpty());
+  EXPECT_THAT(history.tree(JobId{2}), SizeIs(4));
+}
+
 TEST(JobHistory, a_worker_is_told_with_what_it_did) {
   const TempFolder folder;
   JobDatabase database(folder.path() / "db");

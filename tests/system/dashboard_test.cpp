@@ -1,4 +1,6 @@
 // `tetfarm dashboard` before a coordinator and a worker of its own.
+#include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "tests/support/served_dashboard.h"
@@ -157,6 +159,55 @@ TEST_F(DashboardOfADaemon,
   coordinator_ = start_coordinator("tcp://127.0.0.1:*");
   EXPECT_TRUE(dashboard.comes_true("/api/v1/farm",
                                    [](const json& seen) { return seen["connected"] == true; }));
+}
+
+TEST_F(DashboardOfADaemon, gives_the_surfaces_of_subdomains_where_it_sees_the_store) {
+  const std::string job = submit(small_input(), 2);
+  const auto worker = start_worker();
+  ASSERT_EQ(wait_for(job).code, 0);
+  const std::string surfaces = "/api/v1/jobs/" + job + "/surfaces";
+  const test::ServedDashboard seeing({"--connect", endpoint_, "--store", "store"}, folder_.path());
+  const json told = seeing.get(surfaces).json();
+  EXPECT_EQ(told["sees_files"], true);
+  ASSERT_GE(told["surfaces"].size(), 2U);
+  for (const json& line : told["surfaces"]) {
+    EXPECT_EQ(line["is_there"], true);
+    const std::string path = surfaces + "/" + std::to_string(line["path"].get<int>());
+    const test::WebReply whole = seeing.get(path);
+    EXPECT_EQ(whole.status, 200);
+    EXPECT_THAT(whole.head, HasSubstr("Content-Type: application/octet-stream"));
+    EXPECT_TRUE(whole.body.starts_with("TFSHOWN\n"));
+    const test::WebReply few = seeing.get(path + "?triangles=64");
+    EXPECT_EQ(few.status, 200);
+    EXPECT_LT(few.body.size(), 48U + 52 * 64);
+  }
+  const std::string hash = told["surfaces"][0]["hash"];
+  const std::string first = surfaces + "/" + std::to_string(told["surfaces"][0]["path"].get<int>());
+  const auto file = folder_.path() / "store/artifacts" / hash.substr(0, 2) / hash;
+  const auto size = std::filesystem::file_size(file);
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  std::ofstream(file) << std::string(size, 'x');
+  EXPECT_EQ(seeing.get(first).status, 200) << "it was made before";
+  EXPECT_EQ(seeing.get(first + "?triangles=128").status, 502) << "the file is damaged";
+  std::filesystem::remove(file);
+  EXPECT_EQ(seeing.get(first + "?triangles=128").status, 404);
+  EXPECT_EQ(seeing.get(surfaces + "/1").status, 404) << "the root was cut";
+}
+
+TEST_F(DashboardOfADaemon, has_no_surfaces_where_it_does_not_see_the_store) {
+  const std::string job = submit(small_input(), 2);
+  const auto worker = start_worker();
+  ASSERT_EQ(wait_for(job).code, 0);
+  const test::ServedDashboard& blind = serve();
+  const std::string surfaces = "/api/v1/jobs/" + job + "/surfaces";
+  const json told = blind.get(surfaces).json();
+  EXPECT_EQ(told["sees_files"], false);
+  ASSERT_GE(told["surfaces"].size(), 2U);
+  EXPECT_EQ(told["surfaces"][0]["is_there"], false);
+  const test::WebReply refused =
+      blind.get(surfaces + "/" + std::to_string(told["surfaces"][0]["path"].get<int>()));
+  EXPECT_EQ(refused.status, 404);
+  EXPECT_THAT(refused.json()["error"].get<std::string>(), HasSubstr("--store"));
 }
 
 TEST_F(DashboardOfADaemon, ends_with_success_when_it_is_told_to) {

@@ -6,15 +6,18 @@ pages_of_a_farm.py TETFARM WEB: the program, and the folder in which npm has bui
 browser, but fails in continuous integration.
 """
 
+import json
 import os
 import pathlib
 import re
 import signal
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
 import time
+import urllib.request
 
 CHROMIUM = os.environ.get("TETFARM_CHROMIUM", "/usr/bin/chromium")
 PATIENCE_S = 60
@@ -32,13 +35,13 @@ class Farm:
     def __init__(self, program, folder):
         self.program = program
         self.folder = pathlib.Path(folder)
+        self.store = str(self.folder / "store")
         self.coordinator = f"tcp://127.0.0.1:{free_port()}"
         self.running = []
 
     def __enter__(self):
-        store = str(self.folder / "store")
-        self.start("coordinator", "--store", store, "--listen", self.coordinator)
-        self.start("worker", "--connect", self.coordinator, "--store", store)
+        self.start("coordinator", "--store", self.store, "--listen", self.coordinator)
+        self.start("worker", "--connect", self.coordinator, "--store", self.store)
         return self
 
     def __exit__(self, *_):
@@ -60,13 +63,55 @@ class Farm:
                               check=True, capture_output=True, timeout=PATIENCE_S).stdout
 
     def address_of_dashboard(self):
-        dashboard = self.start("dashboard", "--connect", self.coordinator, "--http", "127.0.0.1:0", "--acts",
-                               stdout=subprocess.PIPE)
+        dashboard = self.start("dashboard", "--connect", self.coordinator, "--store", self.store, "--http", "127.0.0.1:0",
+                               "--acts", stdout=subprocess.PIPE)
         line = dashboard.stdout.readline()
         found = re.search(r"http://[\d.]+:\d+", line)
         if not found:
             raise SystemExit(f"the dashboard does not say where it is: {line!r}")
         return found.group()
+
+
+def answer(address):
+    with urllib.request.urlopen(address, timeout=PATIENCE_S) as response:
+        return response.read()
+
+
+def expect(holds, what):
+    if not holds:
+        raise SystemExit(f"not so: {what}")
+
+
+def box_of(surface, vertices):
+    """The bounding box, six numbers, of a surface as docs/api.md has it."""
+    origin = struct.unpack_from("<3d", surface, 24)
+    places = struct.unpack_from(f"<{3 * vertices}f", surface, 48)
+    axes = [[origin[axis] + value for value in places[axis::3]] for axis in range(3)]
+    return [min(axis) for axis in axes] + [max(axis) for axis in axes]
+
+
+def check_surfaces(address, job):
+    """Those of a job that is done: all of them, in the form of docs/api.md, fewer triangles where that is asked for."""
+    base = f"{address}/api/v1/jobs/{job}/surfaces"
+    told = json.loads(answer(base))
+    expect(told["sees_files"] and told["left_out"] == 0, "all files are seen")
+    expect(len(told["surfaces"]) == json.loads(answer(f"{address}/api/v1/jobs/{job}"))["subdomains"], "all leaves are there")
+    boxes = []
+    for line in told["surfaces"]:
+        expect(line["is_there"] and line["meshed"] and line["state"] == "leaf", f"{line} is a leaf with its file")
+        whole = answer(f"{base}/{line['path']}?triangles=131072")
+        version, vertices, triangles, before = struct.unpack_from("<4I", whole, 8)
+        expect(whole[:8] == b"TFSHOWN\n" and version == 1 and triangles == before > 0, "a surface, all of it")
+        expect(len(whole) == 48 + 12 * vertices + 16 * triangles, "of the size that it says")
+        pieces = struct.unpack_from(f"<{triangles}i", whole, len(whole) - 4 * triangles)
+        expect(set(pieces) <= {-1, *range(max(1, len(told["patches"])))} and -1 in pieces, "of patches and cuts")
+        boxes.append(box_of(whole, vertices))
+        few = answer(f"{base}/{line['path']}?triangles=64")
+        expect(struct.unpack_from("<I", few, 16)[0] <= 64 and struct.unpack_from("<I", few, 20)[0] == before, "few triangles")
+    low = [min(box[axis] for box in boxes) for axis in range(3)]
+    high = [max(box[axis + 3] for box in boxes) for axis in range(3)]
+    expect(max(b - a for a, b in zip(low, high)) > 1.5 * max(box[3] - box[0] for box in boxes), "each a part of the domain")
+    print(f"{len(boxes)} surfaces, the domain from {low} to {high}")
 
 
 def main(program, web):
@@ -81,6 +126,7 @@ def main(program, web):
         farm.ask("submit", "ball.stl", "--subdomains", "12")
         while '"state":"running"' in farm.ask("status", "--json") and time.monotonic() < deadline:
             time.sleep(0.5)
+        check_surfaces(address, "job-1")
         farm.ask("submit", "ball.stl", "--subdomains", "40", "--size", "0.05")
         return subprocess.run(["node", "tests/browser.mjs"], cwd=web, timeout=400,
                               env={**os.environ, "TETFARM_DASHBOARD_URL": address}).returncode

@@ -8,7 +8,7 @@ import { after } from 'node:test';
 import { closeAll, isReal } from './browser/support.mjs';
 
 const needNoCertainFarm = ['every_page'];
-const others = ['views', 'large_job', 'live', 'acts', 'hostile', 'keyboard', 'pictures'];
+const others = ['views', 'shape', 'large_job', 'live', 'acts', 'hostile', 'keyboard', 'pictures'];
 const wanted = process.env.TETFARM_BROWSER_ONLY?.split(',');
 
 for (const name of isReal ? needNoCertainFarm : [...needNoCertainFarm, ...others]) {

@@ -6,7 +6,8 @@ import { createReadStream, existsSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { makeFarm } from './mock_farm.mjs';
+import { makeFarm, pathText } from './mock_farm.mjs';
+import { patches, surfaceOf } from './mock_surfaces.mjs';
 
 const headers = {
   'Content-Security-Policy':
@@ -40,6 +41,8 @@ export class MockServer {
     this.connected = true;
     this.atRest = false;
     this.trouble = '';
+    this.seesFiles = true;
+    this.goneFiles = new Set(); // paths of sub-domains whose files are not in the store
     this.watchers = new Set();
     this.requests = [];
   }
@@ -131,6 +134,10 @@ export class MockServer {
   }
 
   reply(response, status, body) {
+    if (Buffer.isBuffer(body)) {
+      response.writeHead(status, { ...headers, 'Content-Type': 'application/octet-stream' });
+      return response.end(body);
+    }
     response.writeHead(status, { ...headers, 'Content-Type': 'application/json; charset=utf-8' });
     response.end(JSON.stringify(body));
   }
@@ -156,7 +163,7 @@ export class MockServer {
   }
 
   look(parts, query) {
-    const [what, id, part] = parts;
+    const [what, id, part, path] = parts;
     if (parts.length === 0) return { version: 1, program_version: '1.0.0-mock', acts: this.acts, paths: [] };
     if (what === 'farm') return this.farmLine();
     this.needCoordinator();
@@ -165,6 +172,7 @@ export class MockServer {
     if (what === 'jobs' && !part) return this.jobOf(id).job;
     if (what === 'jobs' && part === 'events') return last(this.farm.events.filter(({ job }) => job === id));
     if (what === 'jobs' && (part === 'tasks' || part === 'attempts')) return this.page(this.jobOf(id)[part], part, query);
+    if (what === 'jobs' && part === 'surfaces') return path ? this.surface(id, Number(path)) : this.surfaces(id);
     if (what === 'tasks' && part === 'logs') return { attempts: this.attemptsOf(id).map((attempt) => ({ ...attempt, log: `read 3 files\nmeshed ${attempt.path}\n<script>window.hacked=1</script>\u001b[31mred\n` })) };
     if (what === 'tasks' && id) return this.explain(id);
     if (what === 'workers') return { workers: this.farm.workers.filter(({ state }) => state !== 'gone' || query.get('gone') === '1') };
@@ -181,6 +189,21 @@ export class MockServer {
     const found = begin < 0 ? [] : rows.slice(begin, begin + limit);
     const isLast = begin < 0 || begin + limit >= rows.length;
     return { columns, rows: found.map((row) => columns.map((column) => row[column])), next: isLast ? 0 : found[found.length - 1][key] };
+  }
+
+  surfaces(id) {
+    const leaves = this.jobOf(id).tasks.filter(({ kind }) => kind === 'mesh');
+    const surfaces = leaves.slice(0, 2000).map(({ path, state }) => ({
+      path, place: pathText(path), state: 'leaf', meshed: state === 'done', hash: String(path).padStart(32, '0'), bytes: 250_000,
+      is_there: this.seesFiles && !this.goneFiles.has(path),
+    }));
+    return { sees_files: this.seesFiles, patches, left_out: leaves.length - surfaces.length, surfaces };
+  }
+
+  surface(id, path) {
+    const line = this.surfaces(id).surfaces.find((other) => other.path === path);
+    if (!line?.is_there) throw new Fault(404, `the file of sub-domain ${pathText(path)} is no longer in the store`, 'look at another');
+    return surfaceOf(path);
   }
 
   attemptsOf(number) {

@@ -59,7 +59,7 @@ TEST_F(AnsweredRows, of_tasks_have_what_they_took_and_what_was_expected) {
       R"(seconds: 0.5 expected_elements: 800)",
       R"(task: 3 job: "job-1" kind: "mesh" path: 2 state: "done" attempt: 4 seconds: 1.75 )"
       R"(peak_rss_bytes: 5000 expected_seconds: 2.5 expected_bytes: 6000 cpu_seconds: 1.125 )"
-      R"(expected_elements: 100 elements: 120)",
+      R"(expected_elements: 100 elements: 120 min_dihedral_deg: 21.5)",
       R"(task: 4 job: "job-1" kind: "decompose" path: 3 state: "done" attempt: 5 )"
       R"(seconds: 0.25 expected_elements: 700)",
       R"(task: 5 job: "job-1" kind: "mesh" path: 6 state: "leased" attempt: 7 worker: 4 )"
@@ -264,6 +264,29 @@ TEST_F(AnsweredRows, explain_the_task_of_a_job_that_is_over) {
   EXPECT_EQ(told.attempts(0).attempt(), 8U);
 }
 
+TEST_F(AnsweredRows, of_a_tree_are_its_subdomains_with_their_files_page_by_page) {
+  wire::Query query;
+  query.set_subject(wire::Query::TREE);
+  query.set_job("job-1");
+  query.set_limit(3);
+  const wire::QueryReply first = ask(query);
+  const std::string file = "hash: \"" + hash_of('8') + "\" size: 80";
+  EXPECT_THAT(
+      texts_of(first.subdomains()),
+      ElementsAre("path: 1 state: \"cut\" " + file, "path: 2 state: \"leaf\" meshed: true " + file,
+                  "path: 3 state: \"cut\" " + file));
+  EXPECT_EQ(first.surface().hash(), hash_of('9'));
+  EXPECT_EQ(first.surface().size(), 90U);
+  EXPECT_EQ(first.next(), 3U);
+  query.set_after(3);
+  const wire::QueryReply last = ask(query);
+  EXPECT_THAT(texts_of(last.subdomains()),
+              ElementsAre("path: 6 state: \"leaf\" " + file, "path: 7 state: \"leaf\" " + file));
+  EXPECT_EQ(last.next(), 0U);
+  query.set_after(7);
+  EXPECT_EQ(ask(query).ShortDebugString(), "");
+}
+
 TEST_F(AnsweredRows, are_refused_with_what_is_not_there) {
   const auto query = [](wire::Query::Subject subject, const char* job, std::uint64_t task) {
     wire::Query made;
@@ -279,6 +302,9 @@ TEST_F(AnsweredRows, are_refused_with_what_is_not_there) {
   EXPECT_EQ(refusal_of(query(wire::Query::ATTEMPTS, "job-2", 1)), "5: no task 1 of job-2");
   EXPECT_EQ(refusal_of(query(wire::Query::EVENTS, "job-1", 7)), "5: no task 7 of job-1");
   EXPECT_EQ(refusal_of(query(wire::Query::EVENTS, "job-2", 7)), "");
+  EXPECT_EQ(refusal_of(query(wire::Query::TREE, "job-3", 0)), "5: no job job-3");
+  EXPECT_EQ(refusal_of(query(wire::Query::TREE, "", 0)),
+            "2: a tree is of one job, which has to be named");
   EXPECT_EQ(refusal_of(query(wire::Query::SUBJECT_UNSPECIFIED, "", 0)),
             "2: the subject of the query is unknown to this coordinator");
 }

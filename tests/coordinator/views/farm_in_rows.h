@@ -89,7 +89,8 @@ class FarmInRows : public testing::Test {
     TaskRow inspect = task(1, TaskKind::inspect, 0, TaskState::done, 1, 1.5, "");
     inspect.peak_rss_bytes = 7000;
     inspect.inputs = {file("job", '1'), file("input_surface", '2')};
-    inspect.outputs = {file("spacing", '3'), file("root", '4'), file("settings", '5')};
+    inspect.outputs = {file("surface", '9'), file("spacing", '3'), file("root", '4'),
+                       file("settings", '5')};
     inspect.numbers = {{"expected_seconds", 2},
                        {"expected_bytes", 3000},
                        {"cpu_seconds", 1.25},
@@ -98,8 +99,11 @@ class FarmInRows : public testing::Test {
     first_cut.crashes = 1;
     TaskRow meshed = task(3, TaskKind::mesh, 2, TaskState::done, 4, 1.75, "100");
     meshed.peak_rss_bytes = 5000;
-    meshed.numbers = {
-        {"expected_seconds", 2.5}, {"expected_bytes", 6000}, {"cpu_seconds", 1.125}, {"tets", 120}};
+    meshed.numbers = {{"expected_seconds", 2.5},
+                      {"expected_bytes", 6000},
+                      {"cpu_seconds", 1.125},
+                      {"tets", 120},
+                      {"min_dihedral_deg", 21.5}};
     TaskRow second_cut = task(4, TaskKind::decompose, 3, TaskState::done, 5, 0.25, "700");
     second_cut.outputs = {file("left", '6'), file("right", '7')};
     TaskRow running = task(5, TaskKind::mesh, 6, TaskState::leased, 7, 0, "400");

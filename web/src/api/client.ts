@@ -36,10 +36,9 @@ async function answerOf(response: Response): Promise<unknown> {
   );
 }
 
-async function request(path: string, init: RequestInit): Promise<unknown> {
-  let response: Response;
+async function responseTo(path: string, init: RequestInit): Promise<Response> {
   try {
-    response = await fetch(base + path, { credentials: 'same-origin', cache: 'no-store', ...init });
+    return await fetch(base + path, { credentials: 'same-origin', cache: 'no-store', ...init });
   } catch (error) {
     if (error instanceof DOMException && error.name === 'AbortError') throw error;
     throw new ApiError(
@@ -48,11 +47,21 @@ async function request(path: string, init: RequestInit): Promise<unknown> {
       0,
     );
   }
-  return answerOf(response);
+}
+
+async function request(path: string, init: RequestInit): Promise<unknown> {
+  return answerOf(await responseTo(path, init));
 }
 
 export async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
   return (await request(path, signal ? { signal } : {})) as T;
+}
+
+/** An answer that is not JSON. */
+export async function getBytes(path: string, signal?: AbortSignal): Promise<ArrayBuffer> {
+  const response = await responseTo(path, signal ? { signal } : {});
+  if (!response.ok) await answerOf(response);
+  return response.arrayBuffer();
 }
 
 /** An act: the server takes it only with this header, which no form of another site can send. */

@@ -67,7 +67,7 @@ export interface Columns {
 export const taskColumns: Columns = {
   numbers: ['task', 'path', 'attempt', 'errors', 'losses', 'out_of_memory', 'seconds',
     'peak_rss_bytes', 'expected_seconds', 'cpu_seconds', 'expected_bytes', 'expected_elements',
-    'elements', 'share'],
+    'elements', 'min_dihedral_deg', 'share'],
   texts: ['kind', 'state', 'worker', 'host', 'message', 'doing'],
 };
 

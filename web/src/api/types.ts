@@ -184,3 +184,21 @@ export interface FarmEvent {
   what: string;
   message: string;
 }
+
+export interface SurfaceLine {
+  path: number;
+  place: string;
+  state: string;
+  meshed: boolean;
+  hash: string;
+  bytes: number;
+  is_there: boolean;
+}
+
+/** The sub-domains that can be drawn. */
+export interface SurfaceList {
+  sees_files: boolean;
+  patches: string[];
+  left_out: number;
+  surfaces: SurfaceLine[];
+}

@@ -1,6 +1,6 @@
 // Which page an address means, and back. Addresses are ours, but anybody may type one.
 
-export const jobTabs = ['tree', 'timeline', 'balance', 'tasks', 'events'] as const;
+export const jobTabs = ['tree', 'shape', 'timeline', 'balance', 'quality', 'tasks', 'events'] as const;
 export type JobTab = (typeof jobTabs)[number];
 
 export type Route =

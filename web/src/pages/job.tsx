@@ -15,14 +15,18 @@ import { Empty, Name, Trouble, Waiting } from '../ui/parts';
 import { BalanceTab } from './balance_tab';
 import { JobEvents } from './events';
 import { JobHead } from './job_head';
+import { QualityTab } from './quality_tab';
+import { ShapeTab } from './shape_tab';
 import { TasksTab } from './tasks_tab';
 import { TimelineTab } from './timeline_tab';
 import { TreeTab } from './tree_tab';
 
 const tabWords: Record<JobTab, string> = {
   tree: 'Tree',
+  shape: 'In space',
   timeline: 'Timeline',
   balance: 'Balance',
+  quality: 'Quality',
   tasks: 'Tasks',
   events: 'Events',
 };
@@ -90,9 +94,28 @@ function BothView({ job, version }: ViewProps) {
   );
 }
 
+function ShapeView({ job, version }: ViewProps) {
+  const isLive = isJobLive(job.state);
+  const tasks = useTable(job.job, 'tasks', taskColumns, isLive, version);
+  const attempts = useTable(job.job, 'attempts', attemptColumns, isLive, version);
+  return <ShapeTab job={job} tasks={tasks.table} attempts={attempts.table} />;
+}
+
+function QualityView({ job, version }: ViewProps) {
+  const loaded = useTable(job.job, 'tasks', taskColumns, isJobLive(job.state), version);
+  return (
+    <>
+      <LoadState loaded={loaded} what="tasks" />
+      {loaded.table && loaded.table.count > 0 && <QualityTab job={job} tasks={loaded.table} />}
+    </>
+  );
+}
+
 function View({ tab, ...rest }: ViewProps & { tab: JobTab }) {
   if (tab === 'events') return <JobEvents job={rest.job.job} />;
   if (tab === 'timeline') return <AttemptsView {...rest} />;
+  if (tab === 'shape') return <ShapeView {...rest} />;
+  if (tab === 'quality') return <QualityView {...rest} />;
   if (tab === 'balance') return <BothView {...rest} />;
   return <TasksView {...rest} tab={tab} />;
 }

@@ -9,6 +9,7 @@ const folder = process.env.TETFARM_PICTURES;
 const pictures = [
   ['jobs', '/'],
   ['tree', '/jobs/job-10'],
+  ['shape', '/jobs/job-8/shape'],
   ['timeline', '/jobs/job-10/timeline'],
   ['workers', '/workers'],
 ];
@@ -20,7 +21,12 @@ test('pictures of the pages', { skip: folder ? false : 'TETFARM_PICTURES is not 
   for (const [name, path] of pictures) {
     const { page, close } = await open(path, { base: address, colorScheme: 'light' });
     await settled(page);
-    if (path.startsWith('/jobs')) await drawn(page);
+    if (path.endsWith('/shape')) {
+      await page.getByLabel('Pulled apart').fill('40');
+      await page.locator('canvas.shape').scrollIntoViewIfNeeded();
+    } else if (path.startsWith('/jobs')) {
+      await drawn(page);
+    }
     await page.waitForTimeout(800);
     await page.screenshot({ path: join(folder, `dashboard_${name}.png`) });
     await close();

@@ -133,6 +133,18 @@ test('balance shows curves, scatter and busy shares, and says max and mean', asy
   await close();
 });
 
+test('quality shows the smallest angles as they come, and all angles of what is done', async () => {
+  const done = await open('/jobs/job-8/quality');
+  await until(async () => (await done.page.locator('.uplot canvas').count()) === 4, 'four charts');
+  const text = await done.page.locator('main').innerText();
+  for (const words of [/Near the cuts: 611,204 tetrahedra, angles from 11\.27° to 158\.3°, mean radius ratio 0\.8391/, /Away from the cuts: 2,700,000/, /Of 24 sub-domains so far/]) assert.match(text, words);
+  await done.close();
+  const { page, close } = await open('/jobs/job-10/quality');
+  await page.getByText(`Of ${(await running()).count('done', 'mesh')} sub-domains so far`).waitFor();
+  assert.doesNotMatch(await page.locator('main').innerText(), /Near the cuts:/);
+  await close();
+});
+
 test('tasks are filtered by state, kind and text, sorted, and opened by a click', async () => {
   const { page, close } = await open('/jobs/job-10/tasks');
   const count = page.locator('.count');
