@@ -151,7 +151,8 @@ std::string FarmLook::running_line(FarmSource& source, const wire::JobStatus& li
                     seconds_of_meshing_left(reply.jobs(0), rate.tets_per_second()));
 }
 
-void FarmLook::add_jobs(FarmSource& source, const LookTime& now, FarmSnapshot& snapshot) {
+/// How many there are.
+std::size_t FarmLook::add_jobs(FarmSource& source, const LookTime& now, FarmSnapshot& snapshot) {
   wire::Query query;
   query.set_subject(wire::Query::JOBS);
   std::deque<wire::JobStatus> newest;
@@ -171,9 +172,7 @@ void FarmLook::add_jobs(FarmSource& source, const LookTime& now, FarmSnapshot& s
                                                 : with_share(job_json(job), share_of_job(job, 0))});
   }
   std::erase_if(rates_, [&](const auto& rate) { return !running.contains(rate.first); });
-  Json farm = Json::parse(snapshot.farm);
-  farm["jobs"] = count;
-  snapshot.farm = json_line(farm);
+  return count;
 }
 
 FarmSnapshot FarmLook::look(FarmSource& source, const FarmSnapshot& before, const LookTime& now) {
@@ -181,8 +180,8 @@ FarmSnapshot FarmLook::look(FarmSource& source, const FarmSnapshot& before, cons
   const wire::StatusReply said = source.farm();
   Json farm = Json::parse(farm_json(said));
   farm["demand"] = demand_of(said);
+  farm["jobs"] = add_jobs(source, now, snapshot);
   snapshot.farm = json_line(farm);
-  add_jobs(source, now, snapshot);
   add_workers(source, snapshot);
   const bool is_same_farm = before.endpoint == source.endpoint();
   add_events(source, is_same_farm ? before : FarmSnapshot(), snapshot);

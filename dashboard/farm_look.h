@@ -28,7 +28,7 @@ class FarmLook {
   std::string job_body(const wire::StatusReply& reply, const LookTime& now);
 
  private:
-  void add_jobs(FarmSource& source, const LookTime& now, FarmSnapshot& snapshot);
+  std::size_t add_jobs(FarmSource& source, const LookTime& now, FarmSnapshot& snapshot);
   std::string running_line(FarmSource& source, const wire::JobStatus& line, const LookTime& now,
                            FarmSnapshot& snapshot);
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "mesh/remeshing/triangle_normal.h"
+#include "mesh/remeshing/vertex_move.h"
 
 namespace tetfarm {
 namespace {
@@ -90,26 +91,8 @@ std::optional<InputFoot> best_step(RemeshingWork& work, std::int32_t v, double c
 }
 
 bool move_to(RemeshingWork& work, std::int32_t v, const InputFoot& foot) {
-  ChangingSurface& surface = work.surface;
-  SurfaceVertex& vertex = surface.vertex(v);
-  const Vec3 before = surface.at(v);
-  const std::int32_t old_foot = vertex.foot;
-  surface.try_at(v, foot.at);
-  vertex.foot = foot.item;
-  work.replacement.clear();
-  work.replacement.removed.assign(surface.ring(v).begin(), surface.ring(v).end());
-  work.replacement.fills_hole = true;
-  for (const std::int32_t t : surface.ring(v)) {
-    work.replacement.made.push_back(surface.triangle(t));
-  }
-  if (lies_on_input(work, v) && meets_nothing(work, v)) {
-    vertex.has_moved = true;
-    surface.settle(v);
-    return true;
-  }
-  surface.try_at(v, before);
-  vertex.foot = old_foot;
-  return false;
+  const VertexPlace before = try_vertex(work, v, {foot.at, foot.item});
+  return keep_or_put_back(work, v, before, true);
 }
 
 }  // namespace

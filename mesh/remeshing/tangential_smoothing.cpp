@@ -6,6 +6,7 @@
 
 #include "mesh/remeshing/edge_length.h"
 #include "mesh/remeshing/triangle_normal.h"
+#include "mesh/remeshing/vertex_move.h"
 
 namespace tetfarm {
 namespace {
@@ -68,31 +69,16 @@ bool smooth_vertex(RemeshingWork& work, std::int32_t v, double least_shape) {
   ChangingSurface& surface = work.surface;
   SurfaceVertex& vertex = surface.vertex(v);
   const std::optional<InputFoot> foot = foot_for(work, v);
-  const Vec3 before = surface.at(v);
-  if (!foot || distance(foot->at, before) < least_move * vertex.spacing) {
+  if (!foot || distance(foot->at, surface.at(v)) < least_move * vertex.spacing) {
     vertex.settled = surface.now();
     return false;
   }
   const double least = std::min(least_shape, worst_shape(surface, surface.ring(v)));
-  const std::int32_t old_foot = vertex.foot;
-  surface.try_at(v, foot->at);
-  vertex.foot = foot->item;
-  work.replacement.clear();
-  work.replacement.removed.assign(surface.ring(v).begin(), surface.ring(v).end());
-  work.replacement.fills_hole = vertex.kind == VertexKind::smooth;
-  for (const std::int32_t t : surface.ring(v)) {
-    work.replacement.made.push_back(surface.triangle(t));
-  }
+  const VertexPlace place = try_vertex(work, v, {foot->at, foot->item});
   const bool is_better = worst_shape(surface, surface.ring(v)) >= least;
-  const bool is_near =
+  const bool is_wanted =
       is_better && (vertex.kind == VertexKind::smooth || curve_allows_move(work, v));
-  if (is_near && lies_on_input(work, v) && meets_nothing(work, v)) {
-    vertex.has_moved = true;
-    surface.settle(v);
-    return true;
-  }
-  surface.try_at(v, before);
-  vertex.foot = old_foot;
+  if (keep_or_put_back(work, v, place, is_wanted)) return true;
   vertex.settled = surface.now();
   return false;
 }
