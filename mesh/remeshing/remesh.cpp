@@ -34,12 +34,6 @@ constexpr double good_shape = 0.6;
 constexpr double flat_shape = 0.05;
 /// Of the tolerance: between the points that are compared a triangle may lie farther off.
 constexpr double tolerance_at_samples = 0.5;
-/// Of the tolerance, up to which it does at more points at the end: between those, too, is a little
-/// left.
-constexpr double tolerance_at_the_end = 0.9;
-/// Where it does not, less is left for the changes, and all is done again.
-constexpr double share_of_the_last = 0.5;
-constexpr int most_shares = 4;
 /// How often vertices of the input that were left behind are kept, and all is done again.
 constexpr int most_rounds = 4;
 constexpr int most_splitting_sweeps = 100;
@@ -177,17 +171,11 @@ void remesh_in_turns(RemeshingWork& work) {
 RemeshedSurface remeshed(const SurfaceMesh& surface, const SurfaceFeatures& features,
                          const InputShape& shape, const RemeshingSpacing& spacing,
                          const RemeshOptions& options, bool is_strict) {
-  double share = tolerance_at_samples;
-  for (int tries = 1;; ++tries) {
-    ChangingSurface changed = surface_to_remesh(surface, features, shape, spacing);
-    RemeshingWork work{changed, shape, spacing, share * options.tolerance, is_strict};
-    remesh_in_turns(work);
-    if (tries == most_shares ||
-        straying_triangles(work, tolerance_at_the_end * options.tolerance) == 0) {
-      return result_of(changed, surface, features);
-    }
-    share *= share_of_the_last;
-  }
+  ChangingSurface changed = surface_to_remesh(surface, features, shape, spacing);
+  RemeshingWork work{changed, shape, spacing, tolerance_at_samples * options.tolerance, is_strict};
+  remesh_in_turns(work);
+  split_straying_triangles(work, options.tolerance);
+  return result_of(changed, surface, features);
 }
 
 bool has_crossings(const SurfaceMesh& surface) {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "mesh/remeshing/edge_split.h"
 #include "mesh/remeshing/triangle_normal.h"
 
 namespace tetfarm {
@@ -9,6 +10,8 @@ namespace {
 
 /// Whichever way the input looks there.
 constexpr double any_cosine = -2;
+
+constexpr int most_sweeps = 4;
 
 /// Points are this many to an edge, and as many to lines beside it.
 constexpr int parts = 6;
@@ -39,14 +42,46 @@ bool strays(const RemeshingWork& work, const FaceTriangle& t, double tolerance) 
   return false;
 }
 
+/// The ends of the longest edge.
+std::array<std::int32_t, 2> longest_edge_of(const ChangingSurface& surface, const Triangle& t) {
+  std::array<std::int32_t, 2> longest{t[0], t[1]};
+  double most2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double length2 = norm2(surface.at(t[(k + 1) % 3]) - surface.at(t[k]));
+    if (length2 <= most2) continue;
+    most2 = length2;
+    longest = {t[k], t[(k + 1) % 3]};
+  }
+  return longest;
+}
+
 }  // namespace
 
-std::int64_t straying_triangles(const RemeshingWork& work, double tolerance) {
-  std::int64_t count = 0;
+std::vector<std::int32_t> straying_triangles(const RemeshingWork& work, double tolerance) {
+  std::vector<std::int32_t> found;
   for (std::int32_t t = 0; t < work.surface.triangle_end(); ++t) {
-    if (work.surface.is_there(t) && strays(work, work.surface.triangle(t), tolerance)) ++count;
+    if (work.surface.is_there(t) && strays(work, work.surface.triangle(t), tolerance)) {
+      found.push_back(t);
+    }
   }
-  return count;
+  return found;
+}
+
+std::int64_t split_straying_triangles(RemeshingWork& work, double tolerance) {
+  std::int64_t splits = 0;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    const std::int64_t before = splits;
+    const std::uint64_t then = work.surface.now();
+    for (const std::int32_t t : straying_triangles(work, tolerance)) {
+      // Its number may be that of one that came when a neighbour was split.
+      if (!work.surface.is_there(t)) continue;
+      const auto [a, b] = longest_edge_of(work.surface, work.surface.triangle(t).nodes);
+      if (work.surface.has_new_triangle(then, a, b)) continue;
+      if (split_edge(work, a, b)) ++splits;
+    }
+    if (splits == before) break;
+  }
+  return splits;
 }
 
 }  // namespace tetfarm
