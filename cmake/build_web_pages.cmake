@@ -24,7 +24,7 @@ if(EXISTS ${work}/installed.lock AND EXISTS ${work}/node_modules)
   file(READ ${work}/installed.lock installed)
 endif()
 if(NOT wanted STREQUAL installed)
-  file(REMOVE ${work}/installed.lock)
+  file(REMOVE_RECURSE ${work}/installed.lock ${work}/node_modules)  # an npm that was killed leaves what npm cannot remove
   run_npm("installed" ci --no-audit --no-fund --fetch-retries=5)
   file(COPY_FILE ${web}/package-lock.json ${work}/installed.lock)
 endif()

@@ -33,7 +33,8 @@ TEST(EdgeCollapse, takes_a_vertex_off_its_curve_by_no_way) {
   SurfaceToChange box(shapes::box({0, 0, 0}, {1, 1, 1}, 3), 10, 0.01);
   for (std::int32_t v = 0; v < box.surface.vertex_end(); ++v) {
     if (box.surface.vertex(v).kind != VertexKind::on_curve) continue;
-    for (const std::int32_t t : std::vector<std::int32_t>(box.surface.ring(v))) {
+    const std::vector<std::int32_t> ring(box.surface.ring(v).begin(), box.surface.ring(v).end());
+    for (const std::int32_t t : ring) {
       for (const std::int32_t w : box.surface.triangle(t).nodes) {
         if (box.surface.vertex(w).kind != VertexKind::smooth) continue;
         EXPECT_FALSE(collapse_edge(box.work, v, w, 10, 0)) << v << " into " << w;
