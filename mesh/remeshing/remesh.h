@@ -27,7 +27,7 @@ struct RemeshedSurface {
 /// The result is closed and has no crossings, as the input; its corners are the input's, to the
 /// last bit. No vertex of the input is farther from it than the tolerance, unless it still is after
 /// four rounds in which such vertices were made corners. Deterministic. @pre check_surface found no
-/// defect; options have been through with_defaults. Cost: some 100 µs and 500 bytes for each
+/// defect; options have been through with_defaults. Cost: some 50 µs and 500 bytes for each
 /// triangle made and each given.
 RemeshedSurface remesh(const SurfaceMesh& surface, const SurfaceFeatures& features,
                        const RemeshingSpacing& spacing, const RemeshOptions& options);
