@@ -100,7 +100,8 @@ class RunWithSpacing : public ::testing::Test {
   const TempFolder folder_;
   ArtifactStore store_{folder_.path() / ".tetfarm"};
   const SpacingField field_ = make_spacing_field(
-      shapes::unit_cube(), {.background = 0.25, .inherit_surface = false, .sources = {}});
+      shapes::unit_cube(),
+      {.background = 0.25, .inherit_surface = false, .sources = {}, .triangles = {}});
   StoredArtifact spacing_ = store_.publish(field_.to_bytes());
 };
 
