@@ -91,7 +91,7 @@ TEST_F(Checked, sizes_at_patches_count_in_what_the_job_comes_to) {
         .get<double>();
   };
   const double plain = elements();
-  options.patch_sizes = {"surface=0.1"};
+  options.patch_sizes = {"surface=0.02"};
   EXPECT_GT(elements(), 20 * plain);
   options.patch_sizes = {"wing=0.1"};
   EXPECT_THAT(said_by([&] { return check_command(options); }).error,

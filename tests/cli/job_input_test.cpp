@@ -93,8 +93,8 @@ TEST(JobInput, takes_each_option_of_a_job) {
 
 TEST(JobInput, has_types_and_sizes_of_patches_in_one_table_each) {
   RunOptions options = of_surface("wing.stl");
-  options.patch_types = {"wing,tip=wall"};
-  options.patch_sizes = {"tip=0.1:0.2", "flap=0.3"};
+  options.patch_types = {"aft,mid=wall"};
+  options.patch_sizes = {"mid=0.1:0.2", "tip=0.3"};
   const JobFile job = describe_job(options).job;
   ASSERT_EQ(job.patches.size(), 3U);
   EXPECT_EQ(job.patches[1].type, "wall");

@@ -102,7 +102,7 @@ TEST(JobOutcome, of_a_failure_names_all_files_those_elsewhere_by_their_whole_pat
   const Said said = said_by([&] { return report_outcome(ended_as("failed"), options); });
   EXPECT_EQ(said.error, "open edge\n  see out/a.vtp\n  see /elsewhere/b\\n.vtp");
   EXPECT_EQ(said_by([&] { return report_outcome(ended_as("cancelled"), {}); }).error,
-            "the job was cancelled");
+            "the job was cancelled: open edge");
 }
 
 }  // namespace
