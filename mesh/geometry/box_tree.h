@@ -3,8 +3,8 @@
 /// Source: thesis 4.3.1.7 needs the surface triangles near each triangle of a cut; the tree is the
 /// usual bounding volume hierarchy, split at the median of the box centres along the longest axis.
 /// Boxes that only touch overlap. Visits come in an order that depends on the boxes alone.
-/// Cost: build O(n log n), about 80 bytes a box, with those of boxes that are moved in; a query O(log n + hits) for boxes that overlap
-/// little.
+/// Cost: build O(n log n), about 80 bytes a box, with those of boxes that are moved in; a query
+/// O(log n + hits) for boxes that overlap little.
 #pragma once
 
 #include <algorithm>

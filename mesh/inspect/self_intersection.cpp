@@ -16,7 +16,8 @@ namespace {
 
 std::vector<std::int32_t> numbers_in(const std::vector<char>& sieve) {
   std::vector<std::int32_t> numbers;
-  numbers.reserve(sieve.size() - static_cast<std::size_t>(std::count(sieve.begin(), sieve.end(), 0)));
+  numbers.reserve(sieve.size() -
+                  static_cast<std::size_t>(std::count(sieve.begin(), sieve.end(), 0)));
   for (std::size_t t = 0; t < sieve.size(); ++t) {
     if (sieve[t] != 0) numbers.push_back(static_cast<std::int32_t>(t));
   }
@@ -34,7 +35,6 @@ std::vector<Box3> boxes_of(const SurfaceMesh& surface, const std::vector<std::in
 }
 
 }  // namespace
-
 
 std::optional<SurfaceDefect> check_self_intersection(const SurfaceMesh& surface,
                                                      const std::vector<char>& sieve) {
