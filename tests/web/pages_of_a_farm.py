@@ -135,9 +135,9 @@ def check_maps(address, job):
 
 def surface_with_hole(folder):
     """All triangles of a surface but the last."""
-    lines = (folder / "ball.stl").read_bytes()
-    count = struct.unpack_from("<I", lines, 80)[0] - 1
-    (folder / "open.stl").write_bytes(lines[:80] + struct.pack("<I", count) + lines[84:84 + 50 * count])
+    text = (folder / "ball.stl").read_text()
+    last = text.rindex("facet normal")
+    (folder / "open.stl").write_text(text[:last] + text[text.rindex("endsolid"):])
 
 
 def main(program, web):
