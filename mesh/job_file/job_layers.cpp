@@ -260,6 +260,15 @@ JobLayers parse_layers(const JobSection& top, const toml::node& node) {
   return layers;
 }
 
+JobLayers parse_layers_of_patch(const JobSection& patch, const std::string& glob) {
+  const Words known = std::span(table_keys).subspan(1);  // no patches
+  const JobSection section = patch.item(patch.node("layers"), "patch." + glob + ".layers", known);
+  JobLayers layers;
+  layers.patches = {glob};
+  parse_heights(section, HeightKeys(), layers);
+  return layers;
+}
+
 JobLayers parse_layers_option(std::string_view typed) {
   const std::string place = "--layers '" + std::string(typed) + "'";
   const std::size_t colon = typed.rfind(':');  // patches may have colons in their names

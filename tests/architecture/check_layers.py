@@ -66,7 +66,7 @@ ROOMS = {
     "pool": ["base"],
     "report": ["base", "mesh/assemble", "mesh/core", "mesh/geometry", "mesh/quality", "mesh/render", "proto", "tasks"],
     "json": ["base", "mesh/assemble", "mesh/core", "mesh/inspect", "proto", "tasks"],
-    "dashboard": ["base", "http", "json", "mesh/artifacts", "mesh/core", "proto"],
+    "dashboard": ["base", "http", "json", "mesh/artifacts", "mesh/core", "mesh/inspect", "proto"],
     "cli": ["base", "coordinator", "coordinator/views", "dashboard", "json", "mesh/adaptation", "mesh/core", "mesh/decompose",
             "mesh/formats", "mesh/formats/flite", "mesh/formats/list", "mesh/formats/plane",
             "mesh/formats/registry", "mesh/formats/surfaces", "mesh/healing", "mesh/inspect", "mesh/job_file", "mesh/layers",

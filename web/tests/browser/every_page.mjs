@@ -19,7 +19,7 @@ async function allPages() {
   const ids = isReal ? jobs.slice(0, 1).map(({ job }) => job) : ['job-10', 'job-7', 'job-8'];
   const pages = ['/', '/workers', '/events', '/nothing/here'];
   for (const id of ids) {
-    for (const tab of ['', '/shape', '/timeline', '/balance', '/quality', '/tasks', '/events']) pages.push(`/jobs/${id}${tab}`);
+    for (const tab of ['', '/shape', '/shape#colour=layers&cut=z&at=40', '/timeline', '/balance', '/quality', '/tasks', '/events']) pages.push(`/jobs/${id}${tab}`);
     const { rows } = await answerOf(`/api/v1/jobs/${id}/tasks?columns=task&limit=1`);
     if (rows.length) pages.push(`/tasks/${rows[0][0]}`);
   }
