@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mesh/formats/medit/read_medit.h"
+#include "mesh/formats/msh/read_msh.h"
 #include "mesh/formats/obj/read_obj.h"
 #include "mesh/formats/off/read_off.h"
 #include "mesh/formats/ply/read_ply.h"
+#include "mesh/formats/su2/read_su2.h"
 #include "mesh/formats/tetgen/read_tetgen.h"
+#include "mesh/formats/ugrid/read_ugrid_surface.h"
 
 namespace tetfarm {
 namespace {
@@ -146,6 +150,30 @@ TEST(PolygonTriangles, are_those_of_all_formats_that_have_polygons) {
       "4 3 0 0\n0 0 0 0\n1 1 -1 0\n2 0.5 0 0\n3 1 1 0\n1 1\n4 1 2 3 0 7\n0\n0\n", "a.smesh");
   EXPECT_EQ(tetgen.triangles, expected);
   EXPECT_THAT(tetgen.patch_of_triangle, ElementsAre(0, 0));
+}
+
+TEST(PolygonTriangles, take_the_place_of_quadrangles_in_files_of_meshes) {
+  const auto expect_cut = [](const SurfaceMesh& surface, const std::string& patch) {
+    ASSERT_EQ(surface.triangles.size(), 2U) << patch;
+    for (const Vec3& area : area_vectors(surface)) EXPECT_DOUBLE_EQ(area.z, 0.25) << patch;
+    EXPECT_THAT(surface.patch_names, ElementsAre(patch));
+    EXPECT_THAT(surface.patch_of_triangle, ElementsAre(0, 0)) << patch;
+  };
+  expect_cut(read_msh("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 -1 0\n"
+                      "3 0.5 0 0\n4 1 1 0\n$EndNodes\n$Elements\n1\n1 3 2 7 1 2 3 4 1\n"
+                      "$EndElements\n",
+                      "a.msh"),
+             "physical 7");
+  const std::string places = "0 0 0\n1 -1 0\n0.5 0 0\n1 1 0\n";
+  expect_cut(read_su2("NDIME= 3\nNELEM= 0\nNPOIN= 4\n" + places +
+                          "NMARK= 1\nMARKER_TAG= wall\nMARKER_ELEMS= 1\n9 1 2 3 0\n",
+                      "a.su2"),
+             "wall");
+  expect_cut(read_medit("MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 -1 0 0\n"
+                        "0.5 0 0 0\n1 1 0 0\nQuadrilaterals\n1\n2 3 4 1 5\nEnd\n",
+                        "a.mesh"),
+             "reference 5");
+  expect_cut(read_ugrid_surface("4 0 1 0 0 0 0\n" + places + "2 3 4 1\n3\n", "a.ugrid"), "patch 3");
 }
 
 }  // namespace
