@@ -39,7 +39,7 @@ ROOMS = {
     "mesh/remeshing": ["base", "mesh/core", "mesh/geometry", "mesh/inspect", "mesh/spacing"],
     "mesh/library": ["base", "mesh/core", "mesh/decompose", "mesh/inspect", "mesh/spacing", "mesh/volume"],
     "mesh/assemble": ["base", "mesh/artifacts", "mesh/core"],
-    "mesh/formats": ["base", "mesh/assemble", "mesh/core"],
+    "mesh/formats": ["base", "mesh/assemble", "mesh/core", "mesh/geometry"],
     "mesh/formats/hdf5": ["base"],
     "mesh/formats/surfaces": ["base", "mesh/core", "mesh/formats", "mesh/formats/list"],
     "mesh/formats/registry": ["base", "mesh/assemble", "mesh/core", "mesh/formats", "mesh/formats/list",
