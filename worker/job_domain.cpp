@@ -176,14 +176,14 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
   std::vector<LayerRequest> requests = layer_requests_of(job, surface);
   DomainLayers layers;
   std::vector<std::int32_t> pml_patches;
-  LayerRequest blocks;  // of absorbing layers that are planned behind the others
+  PmlBlocksRequest blocks;  // of absorbing layers that are planned behind the others
   if (job.pml) {
     PmlBlock block = has_pml_blocks(job) ? pml_blocks_of(job, surface) : pml_block_of(job, surface);
     require_few_elements(job, domain.elements + static_cast<double>(block.figures.cells()),
                          limits_of_job(job, checked, domain.volume, 0));
     layers.pml = std::move(block.figures);
     if (has_pml_blocks(job)) {
-      blocks = std::move(block.request);
+      blocks = request_of_blocks(block);
     } else {
       pml_patches = block.request.patches;
       requests.push_back(std::move(block.request));
@@ -206,7 +206,7 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
     domain.surface = std::move(retreat->surface);
   }
   if (has_pml_blocks(job)) {
-    PmlBlocks grown = with_pml_blocks(surface, plan, blocks.patches, blocks.law, blocks.count);
+    PmlBlocks grown = with_pml_blocks(surface, std::move(plan), blocks);
     plan = std::move(grown.plan);
     domain.surface = std::move(grown.surface);
     domain.volume = domain_volume(domain.surface);

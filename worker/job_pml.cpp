@@ -144,11 +144,16 @@ PmlBlock block_of_layers(const JobFile& job, const SurfaceMesh& surface) {
 
 bool has_pml_blocks(const JobFile& job) { return job.pml && job.pml->corners == "block"; }
 
+PmlBlocksRequest request_of_blocks(const PmlBlock& block) {
+  return {block.request.patches, block.request.law, block.request.count};
+}
+
 PmlBlock pml_blocks_of(const JobFile& job, const SurfaceMesh& surface) {
   TF_CHECK(has_pml_blocks(job));
   PmlBlock block = block_of_layers(job, surface);
-  const PmlBlockCounts counts =
-      counts_of_pml_blocks(surface, block.request.patches, block.request.count);
+  const PmlBlocksRequest request = request_of_blocks(block);
+  require_pml_blocks(surface, request, layer_requests_of(job, surface));
+  const PmlBlockCounts counts = counts_of_pml_blocks(surface, request);
   block.figures.triangles = counts.outer_triangles;
   block.figures.tets = counts.tets;
   return block;

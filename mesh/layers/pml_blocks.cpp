@@ -101,16 +101,20 @@ struct BlockLine {
 /// Extrudes faces of a surface, one after the other.
 class BlockExtrusion {
  public:
-  BlockExtrusion(const SurfaceMesh& surface, std::span<const std::int32_t> patches,
-                 const HeightLaw& law, int layers)
-      : patches_(patches), law_(law), layers_(layers), levels_(levels_of(law, layers)) {
-    result_ = surface;
+  /// @pre `request` outlives this.
+  BlockExtrusion(const SurfaceMesh& surface, const PmlBlocksRequest& request)
+      : patches_(request.patches),
+        law_(request.law),
+        layers_(request.layers),
+        levels_(levels_of(law_, layers_)),
+        result_(surface) {
+    TF_CHECK(std::is_sorted(patches_.begin(), patches_.end()) && layers_ > 0);
     const Box3 box = box_round(surface);
     is_wall_.assign(surface.triangles.size(), false);
     for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
       places_.push_back({static_cast<std::int32_t>(v), {}});
     }
-    move_into_planes(planes_of(box), planes_of_triangles(surface, box, patches));
+    move_into_planes(planes_of(box), planes_of_triangles(surface, box, patches_));
     for (const BoxPlane& plane : planes_of(box)) extrude(plane);
   }
 
@@ -392,12 +396,21 @@ void require_outside_sound(const SurfaceMesh& surface, const SurfaceMesh& given)
                    blocks_place);
 }
 
-void require_no_layers_at(const SurfaceMesh& surface, const LayerPlan& plan,
-                          std::span<const std::int32_t> patches) {
+void require_no_layers_at(const SurfaceMesh& surface, const PmlBlocksRequest& request,
+                          std::span<const LayerRequest> others) {
+  std::vector<bool> has_layers(surface.vertices.size(), false);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const bool is_wall = std::any_of(others.begin(), others.end(), [&](const LayerRequest& other) {
+      return std::binary_search(other.patches.begin(), other.patches.end(), patch_of(surface, t));
+    });
+    if (!is_wall) continue;
+    for (const std::int32_t v : surface.triangles[t]) has_layers[at(v)] = true;
+  }
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& patches = request.patches;
     if (!std::binary_search(patches.begin(), patches.end(), patch_of(surface, t))) continue;
     for (const std::int32_t v : surface.triangles[t]) {
-      if (plan.vertex2line[at(v)] < 0) continue;
+      if (!has_layers[at(v)]) continue;
       throw UsageError("boundary layers meet them at " + text_of(surface.vertices[at(v)]) +
                            "; leave out the [[layers]] there, or the patch in [[pml]]",
                        blocks_place);
@@ -456,11 +469,11 @@ void merge_lines(std::vector<BlockLine> blocks, std::size_t vertices, LayerPlan&
 
 }  // namespace
 
-PmlBlockCounts counts_of_pml_blocks(const SurfaceMesh& surface,
-                                    std::span<const std::int32_t> patches, int layers) {
-  const std::vector<std::int32_t> planes = planes_of_triangles(surface, box_round(surface), patches);
+PmlBlockCounts counts_of_pml_blocks(const SurfaceMesh& surface, const PmlBlocksRequest& request) {
+  const std::vector<std::int32_t> planes =
+      planes_of_triangles(surface, box_round(surface), request.patches);
   std::map<std::array<std::int32_t, 2>, std::int32_t> plane_of_edge;
-  std::vector<std::uint8_t> axes(surface.vertices.size(), 0);
+  std::vector<std::uint8_t> axes(surface.vertices.size(), 0);  // the sum of 1, 2 and 4
   std::int64_t faces = 0;
   std::int64_t edges = 0;
   for (std::size_t t = 0; t < planes.size(); ++t) {
@@ -477,19 +490,23 @@ PmlBlockCounts counts_of_pml_blocks(const SurfaceMesh& surface,
     }
   }
   const std::int64_t corners = std::count(axes.begin(), axes.end(), std::uint8_t{7});
-  const std::int64_t n = layers;
+  const std::int64_t n = request.layers;
   return {faces + 4 * n * edges + 6 * n * n * corners,
           3 * n * faces + 6 * n * n * edges + 6 * n * n * n * corners};
 }
 
-PmlBlocks with_pml_blocks(const SurfaceMesh& surface, const LayerPlan& plan,
-                          std::span<const std::int32_t> patches, const HeightLaw& law, int layers) {
-  TF_CHECK(std::is_sorted(patches.begin(), patches.end()) && layers > 0);
+void require_pml_blocks(const SurfaceMesh& surface, const PmlBlocksRequest& request,
+                        std::span<const LayerRequest> others) {
+  require_no_layers_at(surface, request, others);
+  require_outside_sound(BlockExtrusion(surface, request).surface(), surface);
+}
+
+PmlBlocks with_pml_blocks(const SurfaceMesh& surface, LayerPlan plan,
+                          const PmlBlocksRequest& request) {
   TF_CHECK(plan.vertex2line.size() == surface.vertices.size());
-  require_no_layers_at(surface, plan, patches);
-  BlockExtrusion extrusion(surface, patches, law, layers);
+  BlockExtrusion extrusion(surface, request);
   PmlBlocks blocks;
-  blocks.plan = plan;
+  blocks.plan = std::move(plan);
   std::vector<BlockLine> lines = extrusion.lines();
   for (const std::int32_t t : extrusion.wall()) blocks.plan.wall.push_back(t);
   for (const LayerSide& side : extrusion.sides()) blocks.plan.sides.push_back(side);
@@ -500,8 +517,7 @@ PmlBlocks with_pml_blocks(const SurfaceMesh& surface, const LayerPlan& plan,
               return std::pair(a.triangle, a.corner) < std::pair(b.triangle, b.corner);
             });
   merge_lines(std::move(lines), blocks.surface.vertices.size(), blocks.plan);
-  require_positive(blocks.plan, blocks.surface, law.first);
-  require_outside_sound(blocks.surface, surface);
+  require_positive(blocks.plan, blocks.surface, request.law.first);
   return blocks;
 }
 

@@ -11,10 +11,12 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "mesh/core/surface_mesh.h"
 #include "mesh/layers/height_law.h"
 #include "mesh/layers/layer_plan.h"
+#include "mesh/layers/layer_request.h"
 
 namespace tetfarm {
 
@@ -31,20 +33,31 @@ struct PmlBlocks {
   LayerPlan plan;  ///< with the lines of all layers
 };
 
-/// @param patches of the surface, ascending. @pre as of with_pml_blocks. @throws UsageError as
-/// with_pml_blocks does where the patches are not such faces. Cost: O(n log n).
-PmlBlockCounts counts_of_pml_blocks(const SurfaceMesh& surface,
-                                    std::span<const std::int32_t> patches, int layers);
+/// What grows where.
+struct PmlBlocksRequest {
+  std::vector<std::int32_t> patches;  ///< of the surface, ascending
+  HeightLaw law;                      ///< of layers of equal height
+  int layers = 1;
+};
 
-/// Adds the blocks to a surface of one region without defects. On the patches, whose triangles have
-/// to lie in the planes of the box round the surface, vertices are moved within rounding, so that
-/// the nodes of blocks that meet are the same to the last bit.
-/// @param plan of the surface's other layers, which end elsewhere. @param law of layers of equal
-/// height, `layers` of them.
-/// @throws UsageError naming the place where a triangle lies in no such plane, other layers are at
-/// one, layers are too low for the coordinates, or the outside would meet itself.
-/// Cost: O(cells), and that of check_surface.
-PmlBlocks with_pml_blocks(const SurfaceMesh& surface, const LayerPlan& plan,
-                          std::span<const std::int32_t> patches, const HeightLaw& law, int layers);
+/// @pre the surface has one region and no defects, here and below. @throws UsageError naming the
+/// place where a triangle of the patches lies in no plane of the box round the surface.
+/// Cost: O(n log n).
+PmlBlockCounts counts_of_pml_blocks(const SurfaceMesh& surface, const PmlBlocksRequest& request);
+
+/// @param others what grows from other patches. @throws UsageError as counts_of_pml_blocks does,
+/// and naming the place where one of the others meets the patches, or where the outside would meet
+/// itself. Cost: that of check_surface.
+void require_pml_blocks(const SurfaceMesh& surface, const PmlBlocksRequest& request,
+                        std::span<const LayerRequest> others);
+
+/// Adds the blocks. On the patches vertices are moved within rounding, so that the nodes of blocks
+/// that meet are the same to the last bit.
+/// @param plan of the surface's other layers, which may have sides in planes.
+/// @pre require_pml_blocks accepts the surface as it was before there were such sides.
+/// @throws UsageError naming the place where layers are too low for the coordinates.
+/// Cost: O(cells).
+PmlBlocks with_pml_blocks(const SurfaceMesh& surface, LayerPlan plan,
+                          const PmlBlocksRequest& request);
 
 }  // namespace tetfarm

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "mesh/core/cell_marks.h"
 #include "mesh/inspect/surface_check.h"
 #include "mesh/layers/layer_chunk_file.h"
+#include "mesh/layers/plane_retreat.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
 #include "tests/mesh/layers/layered_sphere.h"
 #include "tests/support/error_text.h"
@@ -30,6 +33,12 @@ HeightLaw equal_heights(double of_each) {
   return {.first = of_each, .growth = 1, .acceleration = 1, .cap = 1, .equal = 1};
 }
 
+LayerPlan plan_without_layers(const SurfaceMesh& surface) {
+  LayerPlan none;
+  none.vertex2line.assign(surface.vertices.size(), -1);
+  return none;
+}
+
 /// A box that is not symmetric in any way, with layers beyond some of its sides.
 struct BlockedBox {
   SurfaceMesh given;
@@ -39,10 +48,10 @@ struct BlockedBox {
 
   explicit BlockedBox(std::vector<std::int32_t> sides = {0, 1, 2, 3, 4, 5}, int count = 3)
       : given(box_with_patches(low, high, 3)), patches(std::move(sides)), layers(count) {
-    LayerPlan none;
-    none.vertex2line.assign(given.vertices.size(), -1);
-    blocks = with_pml_blocks(given, none, patches, equal_heights(height), layers);
+    blocks = with_pml_blocks(given, plan_without_layers(given), request());
   }
+
+  PmlBlocksRequest request() const { return {patches, equal_heights(height), layers}; }
 
   Box3 outside() const { return bounding_box(blocks.surface.vertices); }
   double volume_of_layers() const {
@@ -158,7 +167,7 @@ TEST(PmlBlocks, tell_of_every_cell_the_axes_along_which_all_of_it_is_outside_and
 TEST(PmlBlocks, are_as_many_as_was_said) {
   for (const std::vector<std::int32_t>& sides : choices_of_sides()) {
     const BlockedBox box(sides);
-    const PmlBlockCounts counts = counts_of_pml_blocks(box.given, box.patches, box.layers);
+    const PmlBlockCounts counts = counts_of_pml_blocks(box.given, box.request());
     std::int64_t tets = 0;
     for (const LayerChunk& chunk : chunks_of(box.blocks.plan, box.blocks.surface)) {
       tets += counts_of(chunk).tets;
@@ -225,8 +234,8 @@ TEST(PmlBlocks, leave_the_numbers_of_all_else_as_they_were) {
   }
   LayerRequest request = test::request_of({6}, 0.01, 4);
   const LayerPlan plan = plan_layers(hollow, {&request, 1});
-  const std::array<std::int32_t, 6> patches = {0, 1, 2, 3, 4, 5};
-  const PmlBlocks blocks = with_pml_blocks(hollow, plan, patches, equal_heights(height), 2);
+  const PmlBlocks blocks =
+      with_pml_blocks(hollow, plan, {{0, 1, 2, 3, 4, 5}, equal_heights(height), 2});
   for (std::size_t v = 0; v < ball.vertices.size(); ++v) {
     EXPECT_EQ(blocks.surface.vertices[at(first) + v], ball.vertices[v]);
   }
@@ -242,11 +251,10 @@ TEST(PmlBlocks, leave_the_numbers_of_all_else_as_they_were) {
 }
 
 std::string refusal_of_blocks(const SurfaceMesh& surface, std::vector<std::int32_t> patches,
-                              double of_each = height) {
-  LayerPlan none;
-  none.vertex2line.assign(surface.vertices.size(), -1);
-  return error_text_of<UsageError>(
-      [&] { with_pml_blocks(surface, none, patches, equal_heights(of_each), 2); });
+                              const std::vector<LayerRequest>& others = {}) {
+  return error_text_of<UsageError>([&] {
+    require_pml_blocks(surface, {std::move(patches), equal_heights(height), 2}, others);
+  });
 }
 
 TEST(PmlBlocks, are_refused_with_the_place_and_a_way_out_where_a_patch_is_no_side_of_the_box) {
@@ -256,21 +264,55 @@ TEST(PmlBlocks, are_refused_with_the_place_and_a_way_out_where_a_patch_is_no_sid
               AllOf(HasSubstr("lies in none of them"), HasSubstr("corners = \"mitre\"")));
 }
 
+TEST(PmlBlocks, stand_on_parts_of_sides_even_where_these_meet_in_a_point) {
+  SurfaceMesh box = box_with_patches(low, high, 2);
+  box.patch_names.emplace_back("checkered");
+  for (std::size_t t = 0; t < box.triangles.size(); ++t) {
+    Vec3 middle;
+    for (const std::int32_t v : box.triangles[t]) middle += box.vertices[at(v)] / 3.0;
+    const bool is_west = middle.x < (low.x + high.x) / 2;
+    const bool is_south = middle.y < (low.y + high.y) / 2;
+    if (box.patch_of_triangle[t] == test::floor_patch && is_west == is_south) {
+      box.patch_of_triangle[t] = 6;
+    }
+  }
+  const PmlBlocksRequest request{{3, 6}, equal_heights(height), 2};
+  require_pml_blocks(box, request, {});
+  const PmlBlocks blocks = with_pml_blocks(box, plan_without_layers(box), request);
+  const test::GrownWhole whole = grown_whole(blocks.plan, blocks.surface, 50);
+  EXPECT_EQ(whole.open_faces(), 0U);
+  EXPECT_NEAR(whole.volume(), domain_volume(blocks.surface) - domain_volume(box), 1e-12);
+}
+
 TEST(PmlBlocks, are_refused_where_numbers_cannot_tell_their_layers_apart) {
   SurfaceMesh far = box_with_patches(low, high, 2);
   for (Vec3& p : far.vertices) p += Vec3{1e6, 0, 0};
-  EXPECT_THAT(refusal_of_blocks(far, {0, 1, 2, 3, 4, 5}, 1e-12), HasSubstr("1e-12"));
+  EXPECT_THAT(error_text_of<UsageError>([&] {
+                with_pml_blocks(far, plan_without_layers(far), {{3}, equal_heights(1e-12), 2});
+              }),
+              HasSubstr("1e-12"));
 }
 
 TEST(PmlBlocks, are_refused_where_boundary_layers_meet_them) {
-  const SurfaceMesh box = box_with_patches(low, high, 3);
-  LayerRequest request = test::request_of({0}, 0.01, 4);
-  const LayerPlan plan = plan_layers(box, {&request, 1});
-  const std::array<std::int32_t, 1> patches = {3};
-  EXPECT_THAT(error_text_of<UsageError>([&] {
-                with_pml_blocks(box, plan, patches, equal_heights(height), 2);
-              }),
+  EXPECT_THAT(refusal_of_blocks(box_with_patches(low, high, 3), {3},
+                                {test::request_of({0}, 0.01, 4)}),
               HasSubstr("boundary layers meet them at ("));
+}
+
+TEST(PmlBlocks, leave_sides_of_other_layers_that_run_in_planes) {
+  const SurfaceMesh box = box_with_patches(low, high, 4);
+  const LayerRequest request = test::request_of({4}, 0.01, 3);  // from the south
+  const PmlBlocksRequest of_blocks{{5}, equal_heights(height), 2};
+  require_pml_blocks(box, of_blocks, {&request, 1});
+  std::optional<PlaneRetreat> retreat =
+      retreat_planes(box, plan_layers(box, {&request, 1}),
+                     [](const SurfaceMesh&) { return [](const Vec3&) { return 0.25; }; });
+  ASSERT_TRUE(retreat.has_value());
+  const std::size_t sides = retreat->plan.sides.size();
+  const PmlBlocks blocks =
+      with_pml_blocks(retreat->surface, std::move(retreat->plan), of_blocks);
+  EXPECT_EQ(blocks.plan.sides.size(), 2 * sides);  // as many to the north, where all are alike
+  EXPECT_EQ(grown_whole(blocks.plan, blocks.surface, 50).open_faces(), 0U);
 }
 
 }  // namespace
