@@ -178,9 +178,10 @@ void parse_block(const JobSection& section, JobPml& pml) {
   if (section.has("side")) pml.side = section.one_of("side", pml_sides);
   if (pml.corners != "block") return;
   if (pml.elements == "prisms") {
-    section.fail("elements",
-                 "cannot be \"prisms\" with `corners = \"block\"`: beyond an edge, where blocks meet, "
-                 "prisms would have quads beside triangles; leave it out");
+    section.fail(
+        "elements",
+        "cannot be \"prisms\" with `corners = \"block\"`: beyond an edge, where blocks meet, "
+        "prisms would have quads beside triangles; leave it out");
   }
   if (pml.side == "inside") {
     section.fail("side",

@@ -149,8 +149,8 @@ std::uint32_t version_for(const LayerChunk& chunk) {
 /// By the first bytes; what else they say is looked at by who reads on.
 std::uint32_t version_of(std::string_view bytes) {
   for (const std::uint32_t version :
-       {chunk_version_with_ends, chunk_version_with_lists, chunk_version_with_box, chunk_version_with_fans,
-        chunk_version_with_sides, chunk_version_with_kinds}) {
+       {chunk_version_with_ends, chunk_version_with_lists, chunk_version_with_box,
+        chunk_version_with_fans, chunk_version_with_sides, chunk_version_with_kinds}) {
     if (says_version(bytes, chunk_magic, version)) return version;
   }
   return chunk_version;

@@ -256,7 +256,8 @@ class ChunkFiller {
     }
     const Owned& owned = owned_[at(number)];
     TF_CHECK(owned.by > 0);
-    return {owned.by, owned.first_node + static_cast<std::uint32_t>(level - first_inner_level(line))};
+    return {owned.by,
+            owned.first_node + static_cast<std::uint32_t>(level - first_inner_level(line))};
   }
 
   const LayerPlan& plan_;

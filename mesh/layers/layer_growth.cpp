@@ -81,7 +81,8 @@ class MeetingNodes {
     const auto first = static_cast<std::int32_t>(layers_.mesh.nodes.size());
     nodes_.push_back({first, first + 1, stop, -1});
     const std::vector<Vec3> points = points_of(line.line);
-    for (int level = 0; level < std::max(stop, 1); ++level) add(points[at(level)], origin_of(line, level));
+    for (int level = 0; level < std::max(stop, 1); ++level)
+      add(points[at(level)], origin_of(line, level));
   }
 
   std::int32_t add_end(std::size_t i) {
@@ -287,7 +288,8 @@ void add_in_tets(const LayerChunk& chunk, ElementType type, std::span<const std:
 /// side, the largest along any axis.
 int depth_of(const LayerChunk& chunk, const Triangle& lines, int layer) {
   int depth = chunk.lines[at(lines[0])].line.stop - layer + 1;
-  for (const std::int32_t line : lines) depth = std::max(depth, chunk.lines[at(line)].line.end.depth);
+  for (const std::int32_t line : lines)
+    depth = std::max(depth, chunk.lines[at(line)].line.end.depth);
   return depth;
 }
 

@@ -40,12 +40,12 @@ const char* name_of(StopReason reason);
 
 /// Where a line ends that meets others: one of absorbing layers in blocks (pml_blocks.h).
 struct LineEnd {
-  std::int32_t line = -1;  ///< whose point its last one is; -1: of none
-  int level = 0;           ///< of that point there
+  std::int32_t line = -1;    ///< whose point its last one is; -1: of none
+  int level = 0;             ///< of that point there
   std::int32_t vertex = -1;  ///< of a line all of whose points are vertices of the surface the last
   int depth = 0;             ///< how many layers it is away from the inner side; 0: it is there
   // Where it is not there, of the nearest node that is:
-  std::int32_t inner_line = -1;  ///< whose top that is; -1: of none
+  std::int32_t inner_line = -1;    ///< whose top that is; -1: of none
   std::int32_t inner_vertex = -1;  ///< or which vertex of the surface; -1: none
 
   friend bool operator==(const LineEnd&, const LineEnd&) = default;

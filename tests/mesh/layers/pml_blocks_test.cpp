@@ -90,8 +90,7 @@ TEST(PmlBlocks, of_some_sides_carry_on_the_planes_that_these_end_at) {
     const test::GrownWhole whole = grown_whole(box.blocks.plan, surface, 100);
     EXPECT_EQ(whole.open_faces(), 0U);
     EXPECT_TRUE(check_surface(surface).report.defects.empty());
-    EXPECT_NEAR(whole.volume(),
-                domain_volume(surface) - domain_volume(box.given), 1e-12);
+    EXPECT_NEAR(whole.volume(), domain_volume(surface) - domain_volume(box.given), 1e-12);
     const Box3 outside = box.outside();
     const auto has = [&](std::int32_t side) {
       return std::find(sides.begin(), sides.end(), side) != sides.end();
@@ -112,8 +111,8 @@ TEST(PmlBlocks, give_each_triangle_of_the_outside_the_patch_of_its_side) {
       return std::all_of(surface.triangles[t].begin(), surface.triangles[t].end(),
                          [&](std::int32_t v) { return surface.vertices[at(v)][axis] == place; });
     };
-    const std::array<bool, 6> is_at = {all_at(2, outside.low.z),  all_at(2, outside.high.z),
-                                       all_at(0, outside.low.x),  all_at(0, outside.high.x),
+    const std::array<bool, 6> is_at = {all_at(2, outside.low.z), all_at(2, outside.high.z),
+                                       all_at(0, outside.low.x), all_at(0, outside.high.x),
                                        all_at(1, outside.low.y), all_at(1, outside.high.y)};
     EXPECT_EQ(std::count(is_at.begin(), is_at.end(), true), 1);
     EXPECT_TRUE(is_at.at(at(surface.patch_of_triangle[t])));
@@ -145,10 +144,9 @@ TEST(PmlBlocks, tell_of_every_cell_the_axes_along_which_all_of_it_is_outside_and
           const int along = depth_along(middle[axis], low[axis], high[axis], height);
           axes |= along > 0 ? 1 << axis : 0;
           depth = std::max(depth, along);
-          EXPECT_TRUE(round.high[axis] <= low[axis] + 1e-15 ||
-                      round.low[axis] >= high[axis] - 1e-15 ||
-                      (round.low[axis] >= low[axis] - 1e-15 &&
-                       round.high[axis] <= high[axis] + 1e-15))
+          EXPECT_TRUE(
+              round.high[axis] <= low[axis] + 1e-15 || round.low[axis] >= high[axis] - 1e-15 ||
+              (round.low[axis] >= low[axis] - 1e-15 && round.high[axis] <= high[axis] + 1e-15))
               << "a cell of two blocks";
         }
         ASSERT_EQ(layers.marks[CellMark::pml_axes][i], axes);
@@ -294,9 +292,9 @@ TEST(PmlBlocks, are_refused_where_numbers_cannot_tell_their_layers_apart) {
 }
 
 TEST(PmlBlocks, are_refused_where_boundary_layers_meet_them) {
-  EXPECT_THAT(refusal_of_blocks(box_with_patches(low, high, 3), {3},
-                                {test::request_of({0}, 0.01, 4)}),
-              HasSubstr("boundary layers meet them at ("));
+  EXPECT_THAT(
+      refusal_of_blocks(box_with_patches(low, high, 3), {3}, {test::request_of({0}, 0.01, 4)}),
+      HasSubstr("boundary layers meet them at ("));
 }
 
 TEST(PmlBlocks, leave_sides_of_other_layers_that_run_in_planes) {
@@ -309,8 +307,7 @@ TEST(PmlBlocks, leave_sides_of_other_layers_that_run_in_planes) {
                      [](const SurfaceMesh&) { return [](const Vec3&) { return 0.25; }; });
   ASSERT_TRUE(retreat.has_value());
   const std::size_t sides = retreat->plan.sides.size();
-  const PmlBlocks blocks =
-      with_pml_blocks(retreat->surface, std::move(retreat->plan), of_blocks);
+  const PmlBlocks blocks = with_pml_blocks(retreat->surface, std::move(retreat->plan), of_blocks);
   EXPECT_EQ(blocks.plan.sides.size(), 2 * sides);  // as many to the north, where all are alike
   EXPECT_EQ(grown_whole(blocks.plan, blocks.surface, 50).open_faces(), 0U);
 }
