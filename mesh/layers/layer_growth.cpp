@@ -77,11 +77,11 @@ class MeetingNodes {
 
  private:
   void add_but_end(const ChunkLine& line) {
-    const int stop = line.line.stop;
-    const auto first = static_cast<std::int32_t>(layers_.mesh.nodes.size());
-    nodes_.push_back({first, first + 1, stop, -1});
     const std::vector<Vec3> points = points_of(line.line);
-    for (int level = 0; level < std::max(stop, 1); ++level)
+    const std::int32_t foot = known_or_added(points[0], origin_of(line, 0));  // a fan's is known
+    const auto first = static_cast<std::int32_t>(layers_.mesh.nodes.size());
+    nodes_.push_back({foot, first, line.line.stop, foot});
+    for (int level = 1; level < line.line.stop; ++level)
       add(points[at(level)], origin_of(line, level));
   }
 
@@ -89,9 +89,12 @@ class MeetingNodes {
     const ChunkLine& line = chunk_.lines[i];
     const int stop = line.line.stop;
     if (stop == 0) return nodes_[i].foot;
-    const Origin origin = origin_of(line, stop);
+    return known_or_added(point_of(line.line, stop), origin_of(line, stop));
+  }
+
+  std::int32_t known_or_added(const Vec3& place, const Origin& origin) {
     const auto known = by_origin_.find(origin);
-    return known != by_origin_.end() ? known->second : add(point_of(line.line, stop), origin);
+    return known != by_origin_.end() ? known->second : add(place, origin);
   }
 
   std::int32_t add(const Vec3& place, const Origin& origin) {

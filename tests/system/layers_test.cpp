@@ -191,21 +191,11 @@ TEST_F(RunWithLayers, grows_absorbing_layers_in_blocks_beside_those_of_the_body)
 
 /// Its five sides absorb, and the plane ends the layers of both kinds.
 TEST_F(RunWithLayers, carries_on_a_plane_of_symmetry_along_absorbing_blocks) {
-  const SurfaceMesh ball = shapes::sphere({0, 0, 0}, 1, 3);
-  SurfaceMesh half;
-  std::vector<std::int32_t> now(ball.vertices.size(), -1);
-  for (const Triangle& t : ball.triangles) {
-    const auto is_below = [&](std::int32_t v) { return ball.vertices[at(v)].y < -1e-12; };
-    if (std::any_of(t.begin(), t.end(), is_below)) continue;
-    Triangle& added = half.triangles.emplace_back();
-    std::transform(t.begin(), t.end(), added.begin(), [&](std::int32_t v) {
-      if (now[at(v)] < 0) {
-        now[at(v)] = static_cast<std::int32_t>(half.vertices.size());
-        half.vertices.push_back(ball.vertices[at(v)]);
-      }
-      return now[at(v)];
-    });
-  }
+  SurfaceMesh half = shapes::box({-1, 0, -1}, {1, 1, 1}, 6);
+  std::erase_if(half.triangles, [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(),
+                       [&](std::int32_t v) { return half.vertices[at(v)].y == 0; });
+  });
   test::write_contents(folder_.path() / "ball.off", test::off_of(half));
   write_job(
       "[spacing]\ndefault = 0.5\n[domain]\nouter = \"box\"\nfactor = 2\nspacing = 0.5\n"
@@ -215,8 +205,7 @@ TEST_F(RunWithLayers, carries_on_a_plane_of_symmetry_along_absorbing_blocks) {
   ASSERT_FALSE(result.is_null());
   const nlohmann::json quality = sound("out");
   EXPECT_EQ(quality["digest"], result["digest"]);
-  EXPECT_NEAR(result["volume"].get<double>(),
-              5.5 * 5.5 * 2.75 - enclosed_volume(ball.vertices, ball.triangles) / 2, 1e-9);
+  EXPECT_NEAR(result["volume"].get<double>(), 5.5 * 5.5 * 2.75 - 2 * 1 * 2, 1e-9);
 }
 
 TEST_F(RunWithLayers, counts_the_tets_of_absorbing_layers_that_the_command_line_asks_for) {

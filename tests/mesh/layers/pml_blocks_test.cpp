@@ -15,6 +15,7 @@
 #include "mesh/layers/layer_chunk_file.h"
 #include "mesh/layers/plane_retreat.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
+#include "tests/mesh/layers/layered_bodies.h"
 #include "tests/mesh/layers/layered_sphere.h"
 #include "tests/support/error_text.h"
 
@@ -310,6 +311,20 @@ TEST(PmlBlocks, leave_sides_of_other_layers_that_run_in_planes) {
   const PmlBlocks blocks = with_pml_blocks(retreat->surface, std::move(retreat->plan), of_blocks);
   EXPECT_EQ(blocks.plan.sides.size(), 2 * sides);  // as many to the north, where all are alike
   EXPECT_EQ(grown_whole(blocks.plan, blocks.surface, 50).open_faces(), 0U);
+}
+
+TEST(PmlBlocks, share_chunks_with_fans_of_other_layers) {
+  const SurfaceMesh box = test::cube_in_box(3);
+  const LayerRequest request = test::fanned(0.02, 3, 60);
+  const PmlBlocksRequest of_blocks{{1}, equal_heights(height), 2};
+  ASSERT_EQ(request.patches, std::vector<std::int32_t>{0});
+  require_pml_blocks(box, of_blocks, {&request, 1});
+  const LayerPlan plan = plan_layers(box, {&request, 1});
+  ASSERT_FALSE(plan.fans.empty());
+  const PmlBlocks blocks = with_pml_blocks(box, plan, of_blocks);
+  for (const std::int64_t cells : {1'000'000, 100}) {
+    EXPECT_EQ(grown_whole(blocks.plan, blocks.surface, cells).open_faces(), 0U);
+  }
 }
 
 }  // namespace
