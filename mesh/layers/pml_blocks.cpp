@@ -30,8 +30,6 @@ struct BoxPlane {
   int axis = 0;
   bool is_high = false;
   double at = 0;
-
-  friend bool operator==(const BoxPlane&, const BoxPlane&) = default;
 };
 
 /// In the order in which their faces are extruded.
