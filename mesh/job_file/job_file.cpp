@@ -380,7 +380,9 @@ double default_outer_factor(std::string_view outer_kind) {
 std::string obstacle_to_symmetry(const JobFile& job) {
   if (!job.symmetry) return {};
   if (job.remeshing) return "remeshing, which wants a closed surface";
-  if (job.pml) return "absorbing layers";
+  if (job.pml && job.pml->corners != "block") {
+    return "absorbing layers whose corners are mitres; take `corners = \"block\"`";
+  }
   return {};
 }
 
