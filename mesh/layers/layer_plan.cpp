@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "mesh/core/complaints.h"
 #include "mesh/layers/costly_fans.h"
+#include "mesh/layers/first_heights.h"
 #include "mesh/layers/layer_proof.h"
 #include "mesh/layers/line_fans.h"
 #include "mesh/layers/line_lean.h"
@@ -25,7 +26,7 @@ namespace {
 
 /// Where lines lose layers because of how they lean, those so many edges round them try the other
 /// ways, all of them so many times: what one place gains may leave the next one room.
-constexpr int edges_to_lean = 1;
+constexpr int edges_to_lean = 2;
 constexpr int rounds_of_leaning = 2;
 
 /// Rounds of the proof in which lines lose no more layers than they must.
@@ -245,9 +246,28 @@ class Planning {
       line.later = shortened(line.later);
     }
     follow_slivers(leans);
+    begin_levelling();
     find_rooms();
     fit_heights();
     return prove();
+  }
+
+  /// Makes the first layer as high above all faces as was asked for, as the lines are now.
+  void begin_levelling() {
+    unlevelled_.clear();
+    is_held_.clear();
+    turns_at_first_.assign(plan_.lines.size(), false);
+    for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
+      unlevelled_.push_back(plan_.lines[i].along);
+      is_held_.push_back(follows_ways(i));
+    }
+    level_heights();
+  }
+
+  void level_heights() {
+    std::vector<Vec3> along = unlevelled_;
+    level_first_heights(ground(), is_held_, along);
+    for (std::size_t i = 0; i < plan_.lines.size(); ++i) plan_.lines[i].along = along[i];
   }
 
   /// Lets the lines in the middle of slivers go between those at the ends, as high as these, where
@@ -395,7 +415,8 @@ class Planning {
       line.along = along;
       line.later = later;
       line.bends_from = line.law.first;
-      line.bends_to = shortened(along) == along ? room[i] : line.bends_from;
+      const bool turns_slowly = shortened(along) == along && !turns_at_first_[i];
+      line.bends_to = turns_slowly ? room[i] : line.bends_from;
       fit_into(room[i], request_of(i).room, line);
       if (line.stop == line.wanted || line.reason != StopReason::complete) continue;
       const std::size_t source = at(sources[i]);
@@ -435,14 +456,25 @@ class Planning {
     return stops;
   }
 
-  /// A line that is to stop for its cells is made straight first, where it is not, and then lower,
-  /// where this leaves it more layers. Returns why not, where one has to have all its layers.
+  /// A line that is to stop for its cells first leaves the way that its first layer has been given
+  /// for its height right above that, and then altogether; then it is made straight, where it is
+  /// not, and then lower, where this leaves it more layers. Returns why not, where one has to have
+  /// all its layers.
   std::optional<UsageError> take_stops(const std::vector<int>& stops, StopReason reason) {
+    bool holds_more = false;
     for (std::size_t i = 0; i < stops.size(); ++i) {
       LayerLine& line = plan_.lines[i];
       if (stops[i] == line.stop) continue;
       TF_CHECK(stops[i] < line.stop);
       if (follows_ways(i)) return refusal_of(line, reason);
+      if (reason == StopReason::fold && line.along != unlevelled_[i]) {
+        if (!turns_at_first_[i]) {
+          turns_at_first_[i] = true;
+        } else {
+          is_held_[i] = holds_more = true;
+        }
+        continue;
+      }
       const Vec3 straight = shortened(line.along);
       if (reason == StopReason::fold && line.later != straight) {
         line.later = straight;
@@ -456,6 +488,7 @@ class Planning {
         limits_[i].stop = stops[i];
       }
     }
+    if (holds_more) level_heights();
     return std::nullopt;
   }
 
@@ -534,7 +567,12 @@ class Planning {
   std::vector<Sliver> followed_;  // those whose middle goes between the ends
   std::vector<double> rooms_;     // of each line
   std::vector<Limit> limits_;     // likewise
-  LayerPlan begun_;               // without layers
+  // Of each line LayerLine::along before first heights were levelled, whether it is to stay, and
+  // whether it goes on by LayerLine::later right above the first layer.
+  std::vector<Vec3> unlevelled_;
+  std::vector<bool> is_held_;
+  std::vector<bool> turns_at_first_;
+  LayerPlan begun_;  // without layers
   LayerPlan plan_;
 };
 

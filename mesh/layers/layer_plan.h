@@ -58,8 +58,8 @@ struct LineEnd {
 struct LayerLine {
   std::int32_t foot = 0;  ///< vertex of the surface
   Vec3 at;
-  Vec3 along;  ///< so long that a step of 1 is at least 1 away from every face at the foot
-  Vec3 later;  ///< likewise
+  Vec3 along;  ///< so long that of a step of 1 the mean of a face's corners is 1 away from it
+  Vec3 later;  ///< so long that a step of 1 is at least 1 away from every face at the foot
   double bends_from = 0;
   double bends_to = 0;
   HeightLaw law;
