@@ -26,7 +26,7 @@ import time
 from real_models import ROOT, first_line, last_json, machine, surface_file
 
 SURFACES = ["cube_sphere", "flange", "pipe", "nasa_almond_quarter", "onera_m6_sharp_te", "dtc_hull", "cessna210", "d150_aircraft",
-            "prime_open_duct", "swept_wing_openvsp", "cdt_bracket", "netgen_plane", "printer_lcd_knob", "printer_adapter_printer",
+            "prime_open_duct", "swept_wing_openvsp", "cdt_bracket/bracket.off", "netgen_plane", "printer_lcd_knob", "printer_adapter_printer",
             "printer_cable_holder", "printer_spool_holder", "printer_extruder_cover", "printer_fs_cover", "thingi_58011",
             "thingi_65004", "thingi_72214", "thingi_472042", "thingi_520644"]
 PEERS = ("cgal", "gmsh")
