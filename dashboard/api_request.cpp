@@ -13,11 +13,11 @@ namespace {
 
 struct ApiRoute {
   const char* method = "";
-  std::string_view path;  ///< JOB, TASK, WORKER, SUBDOMAIN and MAP stand for one
+  std::string_view path;  ///< JOB, TASK, WORKER, HOST, SUBDOMAIN and MAP stand for one
   ApiSubject subject = ApiSubject::about;
 };
 
-constexpr std::array<ApiRoute, 21> api_routes = {{
+constexpr std::array<ApiRoute, 22> api_routes = {{
     {"GET", "/api/v1", ApiSubject::about},
     {"GET", "/api/v1/farm", ApiSubject::farm},
     {"GET", "/api/v1/jobs", ApiSubject::jobs},
@@ -38,6 +38,7 @@ constexpr std::array<ApiRoute, 21> api_routes = {{
     {"POST", "/api/v1/jobs/JOB/retry", ApiSubject::retry_job},
     {"POST", "/api/v1/jobs/JOB/priority", ApiSubject::set_priority},
     {"POST", "/api/v1/tasks/TASK/retry", ApiSubject::retry_task},
+    {"POST", "/api/v1/hosts/HOST/retry", ApiSubject::retry_host},
     {"POST", "/api/v1/workers/WORKER/drain", ApiSubject::drain_worker},
 }};
 
@@ -65,35 +66,6 @@ std::optional<std::uint64_t> number_after(std::string_view prefix, std::string_v
   return number_in(text.substr(prefix.size()));
 }
 
-/// Whether a part of a path is what stands in its place in the route; notes what it names.
-bool takes_part(std::string_view wanted, std::string_view part, ApiRequest& request) {
-  if (wanted == "JOB") {
-    if (!number_after("job-", part)) return false;
-    request.job = part;
-    return true;
-  }
-  const bool is_number =
-      wanted == "TASK" || wanted == "WORKER" || wanted == "SUBDOMAIN" || wanted == "MAP";
-  if (!is_number) return wanted == part;
-  std::optional<std::uint64_t> number = number_in(part);
-  if (wanted == "WORKER" && !number) number = number_after("worker-", part);
-  if (!number || *number == 0) return false;  // 0 stands for all of them elsewhere
-  request.number = *number;
-  return true;
-}
-
-std::optional<ApiRequest> taken(const ApiRoute& route, std::string_view path) {
-  const std::vector<std::string_view> wanted = split(route.path, '/');
-  const std::vector<std::string_view> parts = split(path, '/');
-  if (wanted.size() != parts.size()) return std::nullopt;
-  ApiRequest request;
-  request.subject = route.subject;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!takes_part(wanted[i], parts[i], request)) return std::nullopt;
-  }
-  return request;
-}
-
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -115,6 +87,43 @@ std::string decoded(std::string_view text) {
     i += 2;
   }
   return plain;
+}
+
+/// Of a host, as the path has it.
+bool read_host(std::string_view part, std::string& host) {
+  constexpr std::size_t longest_host = 255;
+  host = decoded(part);
+  return !host.empty() && host.size() <= longest_host;
+}
+
+/// Whether a part of a path is what stands in its place in the route; notes what it names.
+bool takes_part(std::string_view wanted, std::string_view part, ApiRequest& request) {
+  if (wanted == "JOB") {
+    if (!number_after("job-", part)) return false;
+    request.job = part;
+    return true;
+  }
+  if (wanted == "HOST") return read_host(part, request.host);
+  const bool is_number =
+      wanted == "TASK" || wanted == "WORKER" || wanted == "SUBDOMAIN" || wanted == "MAP";
+  if (!is_number) return wanted == part;
+  std::optional<std::uint64_t> number = number_in(part);
+  if (wanted == "WORKER" && !number) number = number_after("worker-", part);
+  if (!number || *number == 0) return false;  // 0 stands for all of them elsewhere
+  request.number = *number;
+  return true;
+}
+
+std::optional<ApiRequest> taken(const ApiRoute& route, std::string_view path) {
+  const std::vector<std::string_view> wanted = split(route.path, '/');
+  const std::vector<std::string_view> parts = split(path, '/');
+  if (wanted.size() != parts.size()) return std::nullopt;
+  ApiRequest request;
+  request.subject = route.subject;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!takes_part(wanted[i], parts[i], request)) return std::nullopt;
+  }
+  return request;
 }
 
 /// A number from 1 to `most`.

@@ -34,6 +34,7 @@ enum class ApiSubject {
   retry_job,
   set_priority,
   retry_task,
+  retry_host,
   drain_worker
 };
 
@@ -48,6 +49,7 @@ struct ApiRequest {
   std::uint32_t limit = 20'000;      ///< rows of a page
   std::uint32_t triangles = 16'384;  ///< of a surface: at most so many, a power of two
   int priority = 0;                  ///< that a job is to have
+  std::string host;                  ///< by its name; "": it is not about one
 };
 
 /// Why there is no answer: a status of HTTP, what is wrong, and what to do about it.

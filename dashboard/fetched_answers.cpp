@@ -100,6 +100,7 @@ std::string done_by(const ApiRequest& request, FarmSource& source) {
   TF_CHECK(is_act(request.subject));
   wire::Retry retry;
   retry.set_job(request.job);
+  retry.set_host(request.host);
   switch (request.subject) {
     case ApiSubject::cancel_job:
       return json_line({{"found", source.cancel(request.job)}});

@@ -36,6 +36,14 @@ TEST(ApiRequest, names_the_job_task_or_worker_of_its_path) {
   EXPECT_EQ(asked("/api/v1/workers/3/drain", "POST").subject, ApiSubject::drain_worker);
 }
 
+TEST(ApiRequest, names_a_host_by_any_text) {
+  EXPECT_EQ(asked("/api/v1/hosts/node-7.farm/retry", "POST").host, "node-7.farm");
+  EXPECT_EQ(asked("/api/v1/hosts/a%2Fb%20c/retry", "POST").host, "a/b c");
+  EXPECT_EQ(refusal("/api/v1/hosts//retry", "POST"), 404);
+  EXPECT_EQ(refusal("/api/v1/hosts/" + std::string(256, 'x') + "/retry", "POST"), 404);
+  EXPECT_EQ(refusal("/api/v1/hosts/a/b/retry", "POST"), 404);
+}
+
 TEST(ApiRequest, reads_the_parameters_of_a_table) {
   const ApiRequest request =
       asked("/api/v1/jobs/job-1/tasks?columns=task,kind%2Cstate&after=40&limit=10");
@@ -117,7 +125,7 @@ TEST(ApiRequest, acts_only_with_post) {
     if (target.ends_with("/priority")) target += "?priority=1";
     for (const auto& [word, name] :
          {std::pair{"JOB", "job-1"}, std::pair{"TASK", "1"}, std::pair{"WORKER", "1"},
-          std::pair{"SUBDOMAIN", "1"}, std::pair{"MAP", "1"}}) {
+          std::pair{"SUBDOMAIN", "1"}, std::pair{"MAP", "1"}, std::pair{"HOST", "node"}}) {
       const std::size_t at = target.find(word);
       if (at != std::string::npos) target.replace(at, std::string(word).size(), name);
     }

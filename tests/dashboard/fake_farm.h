@@ -103,8 +103,8 @@ class FakeFarm : public FarmSource {
     return name == "job-404" ? "" : "running";
   }
   std::uint64_t retry(const wire::Retry& retry) override {
-    note("retry " + retry.job() + " " + std::to_string(retry.task()));
-    return 2;
+    note("retry " + retry.job() + " " + std::to_string(retry.task()) + retry.host());
+    return retry.host().empty() ? 2 : 1;
   }
   std::uint64_t drain(std::uint64_t worker) override {
     note("drain " + std::to_string(worker));

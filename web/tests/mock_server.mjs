@@ -260,6 +260,11 @@ export class MockServer {
       if (count) task.state = 'ready';
       return { count };
     }
+    if (what === 'hosts' && deed === 'retry') {
+      const out = this.farm.workers.filter(({ host, host_in_quarantine: isOut }) => host === id && isOut);
+      for (const worker of out) worker.host_in_quarantine = false;
+      return { count: out.length > 0 ? 1 : 0 };
+    }
     if (what === 'workers' && deed === 'drain') {
       const worker = this.farm.workers.find((other) => other.worker === id);
       if (worker) worker.state = 'drains';

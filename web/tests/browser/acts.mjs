@@ -94,6 +94,24 @@ test('a worker is drained', async () => {
   await close();
 });
 
+test('a host is taken out of quarantine, whatever its name is', async () => {
+  const { mock, address } = await ownFarm();
+  const host = 'node/1 <b>';
+  for (const worker of mock.farm.workers.slice(0, 2)) Object.assign(worker, { host, host_in_quarantine: true });
+  const { page, close } = await open('/workers', { base: address });
+  const section = page.locator('section.host', { hasText: host });
+  await section.getByText('in quarantine').waitFor();
+  await section.getByRole('button', { name: 'Retry' }).click();
+  const dialog = page.getByRole('dialog');
+  await dialog.getByText('Tasks kept crashing on').waitFor();
+  await dialog.getByRole('button', { name: 'Retry it' }).click();
+  await dialog.getByText('is out of quarantine').waitFor();
+  assert.deepEqual(posts(mock), ['POST /api/v1/hosts/node%2F1%20%3Cb%3E/retry']);
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await until(async () => (await section.getByText('in quarantine').count()) === 0, 'the host to be in');
+  await close();
+});
+
 test('an act that fails says why and what to do', async () => {
   const { mock, address } = await ownFarm();
   const { page, close } = await open('/jobs/job-10', { base: address, mayFail: true });
