@@ -41,7 +41,9 @@ SurfaceMesh read_off(std::string_view bytes, const std::string& name) {
   if (keyword != "OFF" && keyword != "COFF" && keyword != "NOFF" && keyword != "CNOFF") {
     scanner.fail("expected OFF, found " + quoted(keyword));
   }
-  const std::int64_t vertex_count = scanner.integer("the number of vertices");
+  const std::string_view first = scanner.word();
+  if (first == "BINARY") scanner.fail("is binary, which is not supported; save it as text");
+  const std::int64_t vertex_count = scanner.to_integer(first, "the number of vertices");
   const std::int64_t face_count = scanner.integer("the number of faces");
   const std::size_t vertices = scanner.to_count(vertex_count, shortest_line);
   const std::size_t faces = scanner.to_count(face_count, shortest_line);

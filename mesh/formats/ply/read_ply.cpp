@@ -174,8 +174,9 @@ class PlyReader {
   void read_list(const Element& element, const Property& property) {
     const std::int64_t count = integer(property.count_kind);
     const std::size_t length = scanner_.to_count(count, 1);
-    const bool is_face = element.name == "face" &&
-                         (property.name == "vertex_indices" || property.name == "vertex_index");
+    const bool has_corners = property.name == "vertex_indices" || property.name == "vertex_index";
+    if (element.name == "tristrips" && has_corners) return read_strips(property.kind, length);
+    const bool is_face = element.name == "face" && has_corners;
     if (is_face && length < 3) scanner_.fail("a face with " + std::to_string(length) + " vertices");
     corners_.clear();
     for (std::size_t i = 0; i < length; ++i) {
@@ -186,6 +187,29 @@ class PlyReader {
       }
     }
     if (is_face) add_polygon(surface_, corners_);
+  }
+
+  /// Each corner after the first two makes a triangle with the two before it, every other one
+  /// turned round; -1 ends a strip. A corner that is there twice only turns the rest.
+  void read_strips(const Kind& kind, std::size_t length) {
+    std::array<std::int32_t, 2> before = {-1, -1};
+    bool is_turned = false;
+    for (std::size_t i = 0; i < length; ++i) {
+      const std::int64_t number = integer(kind);
+      if (number == -1) {
+        before = {-1, -1};
+        is_turned = false;
+        continue;
+      }
+      const std::int32_t v = vertex_of(scanner_, surface_, number, 0);
+      const auto [a, b] = before;
+      before = {b, v};
+      if (a < 0) continue;
+      if (a != b && b != v && v != a) {
+        surface_.triangles.push_back(is_turned ? Triangle{b, a, v} : Triangle{a, b, v});
+      }
+      is_turned = !is_turned;
+    }
   }
 
   InputScanner scanner_;

@@ -81,6 +81,27 @@ TEST(ReadPly, passes_over_properties_of_vertices_and_faces_that_are_not_numbers)
   EXPECT_THAT([&] { read(bytes); }, ThrowsMessage<InvalidInput>(HasSubstr("a coordinate is nan")));
 }
 
+TEST(ReadPly, strips_are_triangles_that_all_turn_one_way) {
+  const auto strips = [](const std::string& corners) {
+    return read(
+        "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+        "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+        "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n" +
+        corners + "\n");
+  };
+  EXPECT_THAT(strips("5 0 1 2 3 4").triangles,
+              ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 3}, Triangle{2, 3, 4}));
+  EXPECT_THAT(
+      strips("9 0 1 2 3 -1 2 3 4 5").triangles,
+      ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 3}, Triangle{2, 3, 4}, Triangle{4, 3, 5}));
+  // Strips joined by corners that are there twice, and ones too short for a triangle.
+  EXPECT_THAT(strips("8 0 1 2 2 3 3 4 5").triangles,
+              ElementsAre(Triangle{0, 1, 2}, Triangle{4, 3, 5}));
+  EXPECT_THAT(strips("5 0 1 -1 2 3").triangles, testing::IsEmpty());
+  EXPECT_THAT([&] { strips("3 0 1 6"); }, ThrowsMessage<InvalidInput>(HasSubstr("vertex 6 of 6")));
+  EXPECT_THAT([&] { strips("3 0 1 -2"); }, ThrowsMessage<InvalidInput>(HasSubstr("vertex -2")));
+}
+
 TEST(ReadPly, names_the_place_of_what_it_does_not_understand) {
   const auto reading = [](const std::string& text) { return [=] { read(text); }; };
   EXPECT_THAT(reading("OFF\n"), ThrowsMessage<InvalidInput>(HasSubstr("a.ply:1: expected ply")));

@@ -166,6 +166,12 @@ TEST(SurfaceRefusals, of_ugrid_text) {
       surface_refusal_of);
 }
 
+TEST(SurfaceRefusals, of_points_alone_say_how_many_they_are) {
+  EXPECT_EQ(surface_refusal_of("a.obj", "v 0 0 0\nv 1 0 0\n"),
+            "a.obj: the file has 2 points, but no triangles: make a surface of them first");
+  EXPECT_EQ(surface_refusal_of("a.obj", "# nothing\n"), "a.obj: the file has no triangles");
+}
+
 TEST(SurfaceRefusals, of_names_that_tell_no_format) {
   const auto refusal = [](const std::string& name) -> std::string {
     try {
