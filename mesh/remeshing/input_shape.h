@@ -28,7 +28,7 @@ struct InputFoot {
 class InputShape {
  public:
   /// @param shares of the tolerance, of each triangle (shares_of_tolerance). @pre surface and
-  /// features outlive this. Cost: O(n log n), some 220 bytes a triangle.
+  /// features outlive this. Cost: O(n log n), some 240 bytes a triangle.
   InputShape(const SurfaceMesh& surface, const SurfaceFeatures& features,
              std::vector<double> shares);
 

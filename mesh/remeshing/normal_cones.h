@@ -19,7 +19,7 @@ class NormalCones {
  public:
   NormalCones() = default;
   /// @param normals of the triangles, of unit length; one that is zero says nothing and is passed
-  /// over. Cost: O(n log n), some 60 bytes a triangle.
+  /// over. Cost: O(n log n), 55 to 110 bytes a triangle.
   NormalCones(const SurfaceMesh& surface, std::span<const Vec3> normals);
 
   /// Whether each triangle that comes into the box has a normal whose cosine with `way`, of unit
