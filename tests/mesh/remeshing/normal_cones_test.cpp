@@ -47,10 +47,10 @@ TEST(NormalCones, of_a_sphere_are_true_near_a_pole_and_not_where_the_equator_is_
 
 /// Points over the triangle, corners and edges too.
 bool has_point_in(const TrianglePoints& c, const Box3& box) {
-  constexpr int parts = 12;
-  for (int i = 0; i <= parts; ++i) {
-    for (int j = 0; i + j <= parts; ++j) {
-      const Vec3 p = (i * c[0] + j * c[1] + (parts - i - j) * c[2]) / parts;
+  constexpr int steps = 12;
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; i + j <= steps; ++j) {
+      const Vec3 p = (i * c[0] + j * c[1] + (steps - i - j) * c[2]) / steps;
       Box3 at;
       at.add(p);
       if (at.overlaps(box)) return true;
