@@ -5,16 +5,12 @@
 #include <utility>
 
 #include "base/check.h"
+#include "mesh/geometry/box_measures.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr std::int32_t leaf_size = 4;
-
-int longest_axis(const Vec3& size) {
-  const int axis = size.y > size.x ? 1 : 0;
-  return size.z > size[axis] ? 2 : axis;
-}
 
 }  // namespace
 
@@ -71,7 +67,7 @@ void BoxTree::build(std::int32_t first, std::int32_t last) {
     return;
   }
   // Ties are broken by number, so that the two halves do not depend on how nth_element works.
-  const int axis = longest_axis(centres.size());
+  const int axis = longest_axis(centres);
   const std::int32_t middle = first + (last - first) / 2;
   std::nth_element(begin, items_.begin() + middle, end, [&](std::int32_t a, std::int32_t b) {
     const double ca = box_of(a).low[axis] + box_of(a).high[axis];
