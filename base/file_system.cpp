@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -25,8 +26,10 @@ namespace fs = std::filesystem;
 /// An open file descriptor; closing it where the result matters is done by close_checked.
 class OpenFile {
  public:
-  OpenFile(const fs::path& path, int flags, mode_t mode = 0)
-      : path_(path), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {
+  OpenFile(const fs::path& path, int flags, mode_t mode = 0) : OpenFile(path, flags, mode, path) {}
+  /// Messages speak of `told`, which the file is to become.
+  OpenFile(const fs::path& path, int flags, mode_t mode, const fs::path& told)
+      : path_(told), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {
     if (descriptor_ < 0) throw IoError("cannot open", path_.string(), errno);
   }
   ~OpenFile() {
@@ -161,8 +164,8 @@ std::optional<std::uint64_t> size_of_file(const fs::path& path) {
 }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
-  replace_file(path, [bytes](const fs::path& temp) {
-    OpenFile file(temp, O_WRONLY | O_CREAT | O_EXCL, file_mode);
+  replace_file(path, [&](const fs::path& temp) {
+    OpenFile file(temp, O_WRONLY | O_CREAT | O_EXCL, file_mode, path);
     file.write(bytes);
     file.sync();
     file.close_checked();
@@ -204,6 +207,15 @@ void remove_file(const fs::path& path) {
   if (::unlink(path.c_str()) != 0 && errno != ENOENT) {
     throw IoError("cannot remove", path.string(), errno);
   }
+}
+
+fs::path temporary_folder() {
+  std::error_code error;
+  fs::path folder = fs::temp_directory_path(error);
+  if (!error) return folder;
+  const char* named = std::getenv("TMPDIR");
+  throw IoError("cannot put temporary files there, where $TMPDIR wants them",
+                named != nullptr ? named : "/tmp", error.value());
 }
 
 std::string unique_temp_name(std::string_view stem) {

@@ -51,6 +51,9 @@ void make_folders(const std::filesystem::path& folder);
 /// Removes a file; one that is not there is fine. @throws IoError.
 void remove_file(const std::filesystem::path& path);
 
+/// The system's folder for temporary files. @throws IoError where there is none.
+std::filesystem::path temporary_folder();
+
 /// A name that no other process on any host chooses: "STEM.PROCESS.RANDOM.tmp".
 std::string unique_temp_name(std::string_view stem);
 

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """What boundary layers come to on shapes by formula and on the models of TETFARM_DATA: a table.
 
-    bench/layers.py [--tetfarm build/release/bin/tetfarm] [--case m6]... [--jobs 2] [--keep FOLDER]
+    bench/layers.py [--tetfarm build/release/bin/tetfarm] [--case m6]... [--jobs 2] [--keep FOLDER] [--peers [--limit 300]]
 
 Each case is a whole `tetfarm run`. Of its result line: how many wall triangles have all layers, and how many a first
 height within 2 and 10 % of what was asked for. Of its mesh, read from the VTKHDF file and judged here: the scaled
 Jacobian of each prism over that of a straight prism on its wall triangle (smallest, 1 %, median), and the height of the
-tet on each last prism over that of the prism (median, 99 %). Needs numpy and h5py.
+tet on each last prism over that of the prism (median, 99 %). The smallest dihedral angle is that of the tets, with the
+layers and of a second run without; MB are those of the largest task; B are those of the chunks, files between tasks, for
+each triangle of the wall. With --peers other meshers follow in the same run, each with a limit of time
+(bench/layers_peers.py). Needs numpy and h5py.
 """
 
 import argparse
@@ -194,6 +197,17 @@ def top_jumps(parts):
     return np.concatenate(jumps)
 
 
+def bytes_of_chunks(out):
+    """Of the files between tasks those that begin as chunks of layers do (store/formats.md)."""
+    size = 0
+    for file in (out / ".tetfarm").rglob("*"):
+        if not file.is_file():
+            continue
+        with file.open("rb") as opened:
+            size += file.stat().st_size if opened.read(8) == b"TFLAYR\r\n" else 0
+    return size
+
+
 def row_of(name, arguments, folder, data):
     surface, layers, options = CASES[name]
     if surface in (SPHERES, CUBE):
@@ -201,8 +215,9 @@ def row_of(name, arguments, folder, data):
     else:
         file = pathlib.Path(data) / surface
     out = folder / name
-    result, cpu, seconds = run([arguments.tetfarm, "run", file, "--layers", layers, "-j", str(arguments.jobs), "-o", out,
-                                "--json", *options])
+    job = [arguments.tetfarm, "run", file, "-j", str(arguments.jobs), "--json", *options]
+    bare, _, _ = run([*job, "-o", folder / f"{name}-bare"])
+    result, cpu, seconds = run([*job, "--layers", layers, "--keep", "all", "-o", out])
     mesh = next(out.glob("*.vtkhdf"))
     parts = list(parts_of(mesh))
     jacobians = np.concatenate([relative_jacobians(part) for part in parts if len(part.prisms)])
@@ -212,7 +227,9 @@ def row_of(name, arguments, folder, data):
           f"{of['first_height_within_2_percent']:.2f} | {of['first_height_within_10_percent']:.2f} | "
           f"{result['prisms']} | {result['pyramids']} | {result['tets']} | {jacobians.min():.3f} | "
           f"{np.percentile(jacobians, 1):.3f} | {np.median(jacobians):.4f} | {np.median(jumps):.2f} | "
-          f"{np.percentile(jumps, 99):.2f} | {result['min_dihedral_deg']:.2f} | {cpu:.1f} | {seconds:.1f} | "
+          f"{np.percentile(jumps, 99):.2f} | {result['min_dihedral_deg']:.2f} | {bare['min_dihedral_deg']:.2f} | "
+          f"{max(task['bytes'] for task in result['tasks'].values()) / 1e6:.0f} | "
+          f"{bytes_of_chunks(out) / of['wall_triangles']:.0f} | {cpu:.1f} | {seconds:.1f} | "
           f"{', '.join(f'{k} {v}' for k, v in of['by_reason'].items())} |", flush=True)
 
 
@@ -222,15 +239,17 @@ def main():
     parser.add_argument("--case", action="append", choices=CASES, help="default: all")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the meshes (default: they go)")
+    parser.add_argument("--peers", action="store_true", help="Gmsh and snappyHexMesh on the same cases, as far as they can")
+    parser.add_argument("--limit", type=float, default=300, help="seconds by the clock for each case of a peer")
     arguments = parser.parse_args()
     data = os.environ.get("TETFARM_DATA")
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], stdout=subprocess.PIPE, text=True, check=False)
     print(f"{platform.node()}, {os.cpu_count()} cores, commit {commit.stdout.strip()}, "
           f"{datetime.date.today().isoformat()}\n")
     print("| case | wall triangles | all layers, % | first height within 2 %, % | 10 %, % | prisms | pyramids | tets | "
-          "Jacobian over the wall's, min | 1 % | median | tet : last prism, median | 99 % | smallest dihedral, deg | CPU s | s | "
-          "why fewer |")
-    print("|---|" + "--:|" * 15 + "---|")
+          "Jacobian over the wall's, min | 1 % | median | tet : last prism, median | 99 % | smallest dihedral, deg | "
+          "without layers | MB | B per wall triangle | CPU s | s | why fewer |")
+    print("|---|" + "--:|" * 18 + "---|")
     with tempfile.TemporaryDirectory() as temporary:
         folder = arguments.keep or pathlib.Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
@@ -239,6 +258,9 @@ def main():
                 print(f"{name}: TETFARM_DATA is not set", file=sys.stderr)
                 continue
             row_of(name, arguments, folder, data)
+        if arguments.peers:
+            import layers_peers  # which imports this
+            layers_peers.print_rows(arguments, folder)
 
 
 if __name__ == "__main__":

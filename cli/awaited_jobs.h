@@ -13,7 +13,7 @@ struct NamedJob {
 };
 
 /// "" when `wanted` is the number of one of the jobs, job-7. Otherwise what is wrong, with the job
-/// of that name, the newest of several, or the number that is nearest.
+/// of that name, the newest of several, or the number or name that is nearest.
 /// @param known by rising number
 std::string problem_with_awaited(const std::string& wanted, const std::vector<NamedJob>& known);
 

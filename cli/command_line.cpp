@@ -65,7 +65,8 @@ CLI::Option* add_pml(CLI::App& app, std::string& pml) {
   return app
       .add_option("--pml", pml,
                   "Absorbing layers outside of the outer boundary, such as 'outer:layers=10', with "
-                  "height=H, elements=prisms or tets, and side=inside to keep the boundary")
+                  "height=H, elements=prisms or tets, corners=block for blocks round a box, and "
+                  "side=inside to keep the boundary")
       ->option_text("PATCH,...[:KEY=VALUE,...]");
 }
 

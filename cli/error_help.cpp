@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 
 #include "base/error_with_help.h"
 
@@ -42,7 +43,15 @@ std::string help_for_what_is_missing(const Error& error, std::string_view comman
              : "";
 }
 
-std::string help_for_failure(std::string_view command) {
+/// Of a path that is there, or could be, but not for this user or not as it is wanted.
+bool is_barred(const Error& error) {
+  const auto* failed = dynamic_cast<const IoError*>(&error);
+  constexpr std::array<int, 6> barred = {EACCES, EPERM, EROFS, ENOTDIR, EISDIR, ENAMETOOLONG};
+  return failed != nullptr && std::ranges::find(barred, failed->error_number()) != barred.end();
+}
+
+std::string help_for_failure(const Error& error, std::string_view command) {
+  if (is_barred(error)) return "check the path, and what you may read and write there";
   if (command == "run")
     return "the logs are in .tetfarm in the output folder; run the same command again to retry";
   return command == "wait" ? "`tetfarm logs JOB` shows the output of its tasks" : "";
@@ -68,7 +77,7 @@ std::string help_for(const Error& error, std::string_view command) {
       return command == "run" ? "make room, then run the same command again to continue"
                               : "make room, then try again";
     default:
-      return help_for_failure(command);
+      return help_for_failure(error, command);
   }
 }
 

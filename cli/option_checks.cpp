@@ -115,10 +115,20 @@ CLI::Validator not_empty() {
   return CLI::Validator(check, "", "");
 }
 
+/// Of `-o=out`, which many programs take as `-o out`: CLI11 has the value "=out" then.
+CLI::Validator without_equals_sign() {
+  const auto take_away = [](std::string& text) {
+    if (text.starts_with('=')) text.erase(0, 1);
+    return std::string();
+  };
+  return CLI::Validator(take_away, "", "");
+}
+
 void refuse_empty_paths(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     const bool is_path = option->get_positional() || option->check_name("--output");
     if (is_path) option->check(not_empty());
+    if (option->check_name("-o")) option->transform(without_equals_sign());
   }
   for (CLI::App* sub : app.get_subcommands([](CLI::App*) { return true; }))
     refuse_empty_paths(*sub);

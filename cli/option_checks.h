@@ -31,7 +31,8 @@ CLI::Validator suggested(std::span<const std::string_view> words);
 /// "must not be empty".
 CLI::Validator not_empty();
 
-/// Every positional and every -o of a command and of those below it must not be empty.
+/// Every positional and every -o of a command and of those below it must not be empty; `-o=out` is
+/// `-o out`.
 void refuse_empty_paths(CLI::App& app);
 
 }  // namespace tetfarm

@@ -4,8 +4,8 @@
 #include <set>
 #include <string_view>
 
-#include "base/edit_distance.h"
 #include "base/error.h"
+#include "cli/did_you_mean.h"
 #include "mesh/job_file/job_formats.h"
 
 namespace tetfarm {
@@ -16,9 +16,9 @@ namespace {
   for (const std::string_view format : job_output_formats()) {
     known += (known.empty() ? "" : ", ") + std::string(format);
   }
-  const std::string_view nearest = nearest_word(name, job_output_formats());
-  throw UsageError(nearest.empty() ? "unknown format; known are " + known
-                                   : "unknown format; did you mean " + std::string(nearest) + "?",
+  const auto formats = job_output_formats();
+  const std::string meant = did_you_mean(name, {formats.begin(), formats.end()});
+  throw UsageError("unknown format" + (meant.empty() ? "; known are " + known : meant),
                    "--format " + name);
 }
 

@@ -42,7 +42,8 @@ void add_dashboard(CLI::App& sub, DashboardCommand& dashboard) {
                  "File with the token that HTTP asks for; required where other hosts can connect")
       ->option_text("FILE");
   sub.add_flag("--acts", dashboard.acts,
-               "Let browsers cancel jobs, retry tasks and drain workers (default: only look)");
+               "Let browsers cancel jobs, set priorities, retry and drain (default: "
+               "only look)");
   add_peer(sub, dashboard.view.client, StoreOption::yes);
   add_rows(sub, dashboard.view);
 }

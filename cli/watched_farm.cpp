@@ -109,6 +109,13 @@ bool WatchedFarm::cancel(const std::string& job) {
   return patiently([&] { return coordinator().cancel(job, slice_ms).found(); });
 }
 
+std::string WatchedFarm::set_priority(const std::string& job, int priority) {
+  return patiently([&] {
+    const wire::PrioritySet set = coordinator().set_priority(job, priority, slice_ms);
+    return set.found() ? set.state() : std::string();
+  });
+}
+
 std::uint64_t WatchedFarm::retry(const wire::Retry& retry) {
   return patiently([&] { return coordinator().retry(retry, slice_ms).count(); });
 }

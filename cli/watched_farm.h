@@ -26,6 +26,7 @@ class WatchedFarm : public FarmSource {
   std::optional<std::filesystem::path> find_file(const wire::Artifact& file) override;
   bool sees_files() const override { return files_.has_value(); }
   bool cancel(const std::string& job) override;
+  std::string set_priority(const std::string& job, int priority) override;
   std::uint64_t retry(const wire::Retry& retry) override;
   std::uint64_t drain(std::uint64_t worker) override;
   bool is_at_rest() const override { return view_ && view_->is_at_rest(); }

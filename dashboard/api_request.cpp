@@ -13,11 +13,11 @@ namespace {
 
 struct ApiRoute {
   const char* method = "";
-  std::string_view path;  ///< JOB, TASK, WORKER and SUBDOMAIN stand for one
+  std::string_view path;  ///< JOB, TASK, WORKER, HOST, SUBDOMAIN and MAP stand for one
   ApiSubject subject = ApiSubject::about;
 };
 
-constexpr std::array<ApiRoute, 18> api_routes = {{
+constexpr std::array<ApiRoute, 22> api_routes = {{
     {"GET", "/api/v1", ApiSubject::about},
     {"GET", "/api/v1/farm", ApiSubject::farm},
     {"GET", "/api/v1/jobs", ApiSubject::jobs},
@@ -27,6 +27,8 @@ constexpr std::array<ApiRoute, 18> api_routes = {{
     {"GET", "/api/v1/jobs/JOB/events", ApiSubject::job_events},
     {"GET", "/api/v1/jobs/JOB/surfaces", ApiSubject::surfaces},
     {"GET", "/api/v1/jobs/JOB/surfaces/SUBDOMAIN", ApiSubject::surface},
+    {"GET", "/api/v1/jobs/JOB/maps", ApiSubject::maps},
+    {"GET", "/api/v1/jobs/JOB/maps/MAP", ApiSubject::map},
     {"GET", "/api/v1/tasks/TASK", ApiSubject::task},
     {"GET", "/api/v1/tasks/TASK/logs", ApiSubject::task_logs},
     {"GET", "/api/v1/workers", ApiSubject::workers},
@@ -34,7 +36,9 @@ constexpr std::array<ApiRoute, 18> api_routes = {{
     {"GET", "/api/v1/changes", ApiSubject::changes},
     {"POST", "/api/v1/jobs/JOB/cancel", ApiSubject::cancel_job},
     {"POST", "/api/v1/jobs/JOB/retry", ApiSubject::retry_job},
+    {"POST", "/api/v1/jobs/JOB/priority", ApiSubject::set_priority},
     {"POST", "/api/v1/tasks/TASK/retry", ApiSubject::retry_task},
+    {"POST", "/api/v1/hosts/HOST/retry", ApiSubject::retry_host},
     {"POST", "/api/v1/workers/WORKER/drain", ApiSubject::drain_worker},
 }};
 
@@ -62,34 +66,6 @@ std::optional<std::uint64_t> number_after(std::string_view prefix, std::string_v
   return number_in(text.substr(prefix.size()));
 }
 
-/// Whether a part of a path is what stands in its place in the route; notes what it names.
-bool takes_part(std::string_view wanted, std::string_view part, ApiRequest& request) {
-  if (wanted == "JOB") {
-    if (!number_after("job-", part)) return false;
-    request.job = part;
-    return true;
-  }
-  const bool is_number = wanted == "TASK" || wanted == "WORKER" || wanted == "SUBDOMAIN";
-  if (!is_number) return wanted == part;
-  std::optional<std::uint64_t> number = number_in(part);
-  if (wanted == "WORKER" && !number) number = number_after("worker-", part);
-  if (!number || *number == 0) return false;  // 0 stands for all of them elsewhere
-  request.number = *number;
-  return true;
-}
-
-std::optional<ApiRequest> taken(const ApiRoute& route, std::string_view path) {
-  const std::vector<std::string_view> wanted = split(route.path, '/');
-  const std::vector<std::string_view> parts = split(path, '/');
-  if (wanted.size() != parts.size()) return std::nullopt;
-  ApiRequest request;
-  request.subject = route.subject;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!takes_part(wanted[i], parts[i], request)) return std::nullopt;
-  }
-  return request;
-}
-
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -113,6 +89,43 @@ std::string decoded(std::string_view text) {
   return plain;
 }
 
+/// Of a host, as the path has it.
+bool read_host(std::string_view part, std::string& host) {
+  constexpr std::size_t longest_host = 255;
+  host = decoded(part);
+  return !host.empty() && host.size() <= longest_host;
+}
+
+/// Whether a part of a path is what stands in its place in the route; notes what it names.
+bool takes_part(std::string_view wanted, std::string_view part, ApiRequest& request) {
+  if (wanted == "JOB") {
+    if (!number_after("job-", part)) return false;
+    request.job = part;
+    return true;
+  }
+  if (wanted == "HOST") return read_host(part, request.host);
+  const bool is_number =
+      wanted == "TASK" || wanted == "WORKER" || wanted == "SUBDOMAIN" || wanted == "MAP";
+  if (!is_number) return wanted == part;
+  std::optional<std::uint64_t> number = number_in(part);
+  if (wanted == "WORKER" && !number) number = number_after("worker-", part);
+  if (!number || *number == 0) return false;  // 0 stands for all of them elsewhere
+  request.number = *number;
+  return true;
+}
+
+std::optional<ApiRequest> taken(const ApiRoute& route, std::string_view path) {
+  const std::vector<std::string_view> wanted = split(route.path, '/');
+  const std::vector<std::string_view> parts = split(path, '/');
+  if (wanted.size() != parts.size()) return std::nullopt;
+  ApiRequest request;
+  request.subject = route.subject;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!takes_part(wanted[i], parts[i], request)) return std::nullopt;
+  }
+  return request;
+}
+
 /// A number from 1 to `most`.
 bool read_bounded(std::string_view text, std::uint32_t most, std::uint32_t& number) {
   const std::optional<std::uint64_t> read = number_in(text);
@@ -121,21 +134,47 @@ bool read_bounded(std::string_view text, std::uint32_t most, std::uint32_t& numb
   return true;
 }
 
+ApiError out_of_bounds(std::string_view name, std::uint32_t most) {
+  return {400, std::string(name) + " is not a number from 1 to " + std::to_string(most),
+          "give a number in these bounds, or leave it out"};
+}
+
 bool read_columns(const std::string& text, std::vector<std::string>& columns) {
   constexpr std::size_t most_columns = 64;
   for (const std::string_view name : split(text, ',')) columns.emplace_back(name);
   return columns.size() <= most_columns;
 }
 
+/// How many of a surface or a map.
+std::optional<ApiError> read_triangles(const std::string& value, ApiRequest& request) {
+  if (!read_bounded(value, most_shown_triangles, request.triangles)) {
+    return out_of_bounds("triangles", most_shown_triangles);
+  }
+  request.triangles = std::bit_floor(request.triangles);
+  return std::nullopt;
+}
+
+ApiError no_priority() {
+  const std::string most = std::to_string(highest_priority);
+  return {400, "the priority is missing, or no whole number from -" + most + " to " + most,
+          "say which the job is to have: ?priority=10"};
+}
+
+std::optional<ApiError> read_priority(std::string_view value, ApiRequest& request) {
+  const bool is_below_0 = value.starts_with('-');
+  const std::optional<std::uint64_t> size = number_in(value.substr(is_below_0 ? 1 : 0));
+  if (!size || *size > static_cast<std::uint64_t>(highest_priority)) return no_priority();
+  request.priority = is_below_0 ? -static_cast<int>(*size) : static_cast<int>(*size);
+  return std::nullopt;
+}
+
 /// What is wrong with "name=value"; nothing when it is read.
 std::optional<ApiError> read_parameter(std::string_view name, const std::string& value,
                                        ApiRequest& request) {
-  const auto bounds = [&](std::uint32_t most) {
-    return ApiError{400, std::string(name) + " is not a number from 1 to " + std::to_string(most),
-                    "give a number in these bounds, or leave it out"};
-  };
   const bool is_table =
       request.subject == ApiSubject::tasks || request.subject == ApiSubject::attempts;
+  const bool is_surface =
+      request.subject == ApiSubject::surface || request.subject == ApiSubject::map;
   const bool is_events =
       request.subject == ApiSubject::events || request.subject == ApiSubject::job_events;
   if (name == "columns" && is_table) {
@@ -150,17 +189,15 @@ std::optional<ApiError> read_parameter(std::string_view name, const std::string&
   }
   if (name == "limit" && is_table) {
     if (read_bounded(value, most_rows, request.limit)) return std::nullopt;
-    return bounds(most_rows);
+    return out_of_bounds(name, most_rows);
   }
   if (name == "last" && is_events) {
     if (read_bounded(value, most_events, request.last)) return std::nullopt;
-    return bounds(most_events);
+    return out_of_bounds(name, most_events);
   }
-  if (name == "triangles" && request.subject == ApiSubject::surface) {
-    if (!read_bounded(value, most_shown_triangles, request.triangles))
-      return bounds(most_shown_triangles);
-    request.triangles = std::bit_floor(request.triangles);
-    return std::nullopt;
+  if (name == "triangles" && is_surface) return read_triangles(value, request);
+  if (name == "priority" && request.subject == ApiSubject::set_priority) {
+    return read_priority(value, request);
   }
   if (name == "gone" && request.subject == ApiSubject::workers && (value == "0" || value == "1")) {
     request.with_gone = value == "1";
@@ -171,7 +208,10 @@ std::optional<ApiError> read_parameter(std::string_view name, const std::string&
 }
 
 std::optional<ApiError> read_parameters(std::string_view query, ApiRequest& request) {
-  if (query.empty()) return std::nullopt;
+  if (query.empty()) {
+    if (request.subject == ApiSubject::set_priority) return no_priority();
+    return std::nullopt;
+  }
   for (const std::string_view part : split(query, '&')) {
     const std::size_t equals = part.find('=');
     const std::string_view value =

@@ -22,6 +22,8 @@ enum class ApiSubject {
   job_events,
   surfaces,
   surface,
+  maps,
+  map,
   task,
   task_logs,
   workers,
@@ -30,20 +32,24 @@ enum class ApiSubject {
   // what changes something
   cancel_job,
   retry_job,
+  set_priority,
   retry_task,
+  retry_host,
   drain_worker
 };
 
 struct ApiRequest {
   ApiSubject subject = ApiSubject::about;
   std::string job;                   ///< "job-7"; "": it is not about one
-  std::uint64_t number = 0;          ///< of a task, a worker or a sub-domain
+  std::uint64_t number = 0;          ///< of a task, a worker, a sub-domain or a map
   bool with_gone = false;            ///< workers that have left, too
   std::uint32_t last = 200;          ///< of events: so many, the newest
   std::vector<std::string> columns;  ///< of a table; empty: all
   std::uint64_t after = 0;           ///< rows of a table with higher numbers
   std::uint32_t limit = 20'000;      ///< rows of a page
   std::uint32_t triangles = 16'384;  ///< of a surface: at most so many, a power of two
+  int priority = 0;                  ///< that a job is to have
+  std::string host;                  ///< by its name; "": it is not about one
 };
 
 /// Why there is no answer: a status of HTTP, what is wrong, and what to do about it.
@@ -58,6 +64,9 @@ inline constexpr std::uint32_t most_rows = 20'000;
 inline constexpr std::uint32_t most_events = 1'000;
 /// The most triangles of a surface.
 inline constexpr std::uint32_t most_shown_triangles = 131'072;
+
+/// The highest priority of a job, and without its sign the lowest; store/rows.h has the same limit.
+inline constexpr int highest_priority = 1'000;
 
 /// Whether a path is one of ours: /api or below.
 bool is_api_path(std::string_view target);

@@ -34,6 +34,9 @@ class FarmSource {
 
   /// False when there is no such job.
   virtual bool cancel(const std::string& job) = 0;
+  /// The state of the job whose tasks are handed out by that priority from now on: of one that has
+  /// ended it stays as it was. "": there is no such job.
+  virtual std::string set_priority(const std::string& job, int priority) = 0;
   /// How many tasks were taken out of quarantine.
   virtual std::uint64_t retry(const wire::Retry& retry) = 0;
   /// How many workers take no more tasks: 1, or 0 when there is no such worker.

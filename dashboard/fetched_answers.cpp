@@ -85,6 +85,14 @@ RowTable rows_of(const ApiRequest& request, FarmSource& source) {
   return table;
 }
 
+/// @throws Error (not_found).
+std::string priority_json(const ApiRequest& request, FarmSource& source) {
+  const std::string state = source.set_priority(request.job, request.priority);
+  if (state.empty()) throw Error(ExitCode::not_found, "no job " + request.job);
+  const bool counts = state == "running" || state == "waiting";
+  return json_line({{"set", counts}, {"priority", request.priority}, {"state", state}});
+}
+
 std::string count_json(std::uint64_t count) { return json_line({{"count", count}}); }
 
 /// What a request does that changes something.
@@ -92,9 +100,12 @@ std::string done_by(const ApiRequest& request, FarmSource& source) {
   TF_CHECK(is_act(request.subject));
   wire::Retry retry;
   retry.set_job(request.job);
+  retry.set_host(request.host);
   switch (request.subject) {
     case ApiSubject::cancel_job:
       return json_line({{"found", source.cancel(request.job)}});
+    case ApiSubject::set_priority:
+      return priority_json(request, source);
     case ApiSubject::drain_worker:
       return count_json(source.drain(request.number));
     case ApiSubject::retry_task: {
@@ -112,16 +123,19 @@ std::string done_by(const ApiRequest& request, FarmSource& source) {
 /// What the farm refused, in words of HTTP.
 ApiError error_of(const Error& error, ApiSubject subject) {
   const bool is_of_surface = subject == ApiSubject::surface || subject == ApiSubject::surfaces;
+  const bool is_of_map = subject == ApiSubject::map;
   switch (error.code()) {
     case ExitCode::not_found:
       return {404, error.what(),
               is_of_surface ? "GET /api/v1/jobs/JOB/surfaces lists what can be drawn"
+              : is_of_map   ? "GET /api/v1/jobs/JOB/maps lists what can be drawn"
                             : "GET /api/v1/jobs lists the jobs that are there"};
     case ExitCode::usage:
       return {400, error.what(), "docs/api.md says what may be asked"};
     case ExitCode::out_of_resources:
       return {503, error.what(),
               is_of_surface ? "look at the mesh itself: tetfarm render"
+              : is_of_map   ? "open the file itself with ParaView"
                             : "use the command line: tetfarm tasks --json"};
     default:
       return is_act(subject) ? ApiError{403, error.what(),
@@ -177,6 +191,8 @@ std::string FetchedAnswers::fetched(const ApiRequest& request, FarmSource& sourc
       return all_workers(request, source);
     case ApiSubject::surfaces:
       return surfaces_.list(request.job, source);
+    case ApiSubject::maps:
+      return maps_.list(request.job, source);
     default:
       TF_CHECK(request.subject == ApiSubject::job_events || request.subject == ApiSubject::events);
       return events_of_job(request, source);
@@ -193,6 +209,7 @@ ApiAnswer FetchedAnswers::answer(const ApiRequest& request, FarmSource& source, 
   try {
     if (acts) return answer_of(done_by(request, source));
     if (request.subject == ApiSubject::surface) return surfaces_.surface(request, source);
+    if (request.subject == ApiSubject::map) return maps_.map(request, source);
     if (request.subject == ApiSubject::tasks || request.subject == ApiSubject::attempts) {
       return page(request, source);
     }

@@ -1,8 +1,8 @@
 /// Answers for which the farm has to be asked: of single jobs and tasks, tables, old events, and
 /// what changes something. Used by one thread; what was fetched is kept for others who ask.
 ///
-/// The surfaces of sub-domains have bounds of their own (surface_answers.h); of the rest, at most
-/// two million rows of four tables and 64 MiB of 256 answers are kept.
+/// Surfaces of sub-domains and maps have bounds of their own (surface_answers.h, job_maps.h); of
+/// the rest, at most two million rows of four tables and 64 MiB of 256 answers are kept.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,7 @@
 #include "dashboard/api_answer.h"
 #include "dashboard/farm_look.h"
 #include "dashboard/farm_source.h"
+#include "dashboard/job_maps.h"
 #include "dashboard/kept_things.h"
 #include "dashboard/row_table.h"
 #include "dashboard/surface_answers.h"
@@ -35,6 +36,7 @@ class FetchedAnswers {
   Clock clock_;
   KeptThings<RowTable> tables_{4, 2'000'000};
   SurfaceAnswers surfaces_{[clock = clock_] { return clock().steady_ms; }};
+  JobMaps maps_;
   KeptThings<std::string> answers_{256, std::size_t{64} << 20U};
 };
 

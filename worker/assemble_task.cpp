@@ -224,7 +224,7 @@ class LayerSides {
  public:
   /// @pre the surface is that of a job that could be planned.
   LayerSides(const JobFile& job, const SurfaceMesh& surface) : surface_(surface) {
-    if (job.layers.empty()) return;
+    if (job.layers.empty() && !has_pml_blocks(job)) return;
     are_sides_.assign(surface.triangles.size(), false);
     for (const LayerRequest& request : layer_requests_of(job, surface)) {
       walls_.insert(request.patches.begin(), request.patches.end());
@@ -242,7 +242,7 @@ class LayerSides {
     }
   }
 
-  /// Of each triangle of the surface; empty of a job without layers.
+  /// Of each triangle of the surface; empty of a job whose layers have no sides.
   const std::vector<bool>& are_sides() const { return are_sides_; }
 
  private:

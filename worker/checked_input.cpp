@@ -35,9 +35,9 @@ InputSurface read_input(const TaskIo& io, const JobFile& job, const TaskFile& fi
   return {read_surface_of_job(job, bytes, job.surface), static_cast<double>(bytes.size())};
 }
 
-CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const SurfaceMesh& surface) {
+CheckedSurface checked_surface(TaskIo& io, const JobFile& job, SurfaceMesh surface) {
   io.progress().begin(WorkStage::check);
-  CheckedSurface checked = check_surface_of_job(job, surface);
+  CheckedSurface checked = check_surface_of_job(job, std::move(surface));
   if (checked.report.defects.empty()) return checked;
   const std::string defects = defects_as_vtp(io, checked.surface, checked.report.defects);
   throw RefusedInput(defects_text(checked.report.defects),
@@ -66,16 +66,16 @@ RegionRules region_rules_of(const JobFile& job) {
   return rules;
 }
 
-CheckedSurface check_surface_of_job(const JobFile& job, const SurfaceMesh& surface) {
-  if (!job.symmetry) return check_surface(surface, region_rules_of(job));
+CheckedSurface check_surface_of_job(const JobFile& job, SurfaceMesh surface) {
+  if (!job.symmetry) return check_surface(std::move(surface), region_rules_of(job));
   const auto make_spacing = [&job](const SurfaceMesh& open) {
     const auto field =
         std::make_shared<SpacingField>(make_spacing_field(open, options_of_open(job, open)));
     return [field](const Vec3& place) { return field->at(place); };
   };
-  const ClosedHalfBody closed =
+  ClosedHalfBody closed =
       close_half_body(surface, *job.symmetry, outer_boundary_of(job), job.growth, make_spacing);
-  CheckedSurface checked = check_surface(closed.surface, region_rules_of(job));
+  CheckedSurface checked = check_surface(std::move(closed.surface), region_rules_of(job));
   if (closed.ends.moved > 0) {
     checked.report.remarks.push_back(
         counted(static_cast<std::uint64_t>(closed.ends.moved), "vertex", "vertices") +
@@ -87,8 +87,8 @@ CheckedSurface check_surface_of_job(const JobFile& job, const SurfaceMesh& surfa
 
 CheckedInput checked_input(TaskIo& io, const JobFile& job, const TaskFile& file) {
   io.progress().begin(WorkStage::read);
-  const InputSurface input = read_input(io, job, file);
-  return {checked_surface(io, job, input.surface), input.bytes};
+  InputSurface input = read_input(io, job, file);
+  return {checked_surface(io, job, std::move(input.surface)), input.bytes};
 }
 
 }  // namespace tetfarm

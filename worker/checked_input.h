@@ -15,7 +15,7 @@ RegionRules region_rules_of(const JobFile& job);
 /// The surface of the job's domain as check_surface gives it: of half a body the one that is closed
 /// on the plane of symmetry, with the outer boundary, which domain_of_job does not add then.
 /// @throws InvalidInput as close_half_body.
-CheckedSurface check_surface_of_job(const JobFile& job, const SurfaceMesh& surface);
+CheckedSurface check_surface_of_job(const JobFile& job, SurfaceMesh surface);
 
 struct CheckedInput {
   CheckedSurface checked;

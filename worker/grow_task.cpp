@@ -39,6 +39,24 @@ void report_jacobians(TaskIo& io, const std::vector<double>& shares) {
   io.text("scaled_jacobians", histogram.text());
 }
 
+/// The numbers of the chunk's nodes, and after them of its far feet.
+LeafNumbering numbers_with_far_feet(NumberingInput& numbering, const Subdomain& wall,
+                                    const std::vector<FarFoot>& far) {
+  std::vector<Origin> nodes = wall.node_origin;
+  for (const FarFoot& foot : far) nodes.push_back(foot.foot);
+  return numbering.leaf({wall.path, wall.region, nodes});
+}
+
+/// Takes the numbers of the far feet off. @pre `numbers` has them, after those of the nodes.
+std::vector<std::int64_t> taken_far_numbers(std::size_t far, LeafNumbering& numbers) {
+  const std::size_t nodes = numbers.node_numbers.size() - far;
+  std::vector<std::int64_t> taken(numbers.node_numbers.begin() + static_cast<std::ptrdiff_t>(nodes),
+                                  numbers.node_numbers.end());
+  numbers.node_numbers.resize(nodes);
+  numbers.is_forced.resize(nodes);
+  return taken;
+}
+
 }  // namespace
 
 void grow_task(TaskIo& io) {
@@ -51,11 +69,16 @@ void grow_task(TaskIo& io) {
   report_cost(io, grow_cost(static_cast<double>(counts.cells())));
   GrownLayers layers = grow(chunk);
   const std::vector<double> jacobians = jacobian_shares(layers);
+  const std::vector<FarFoot> far = layers.far_feet;
   MeshPart part = part_of(std::move(layers));
   const Subdomain& wall = part.subdomain;
-  const LeafNumbering numbers = numbering.leaf({wall.path, wall.region, wall.node_origin});
+  LeafNumbering numbers = numbers_with_far_feet(numbering, wall, far);
+  const std::vector<std::int64_t> far_numbers = taken_far_numbers(far.size(), numbers);
   const SurfacePieces pieces = surface.pieces(surface_pieces(wall));
   Portion portion = make_portion(std::move(part), pieces, numbers);
+  for (std::size_t i = 0; i < far.size(); ++i) {
+    portion.part.feet.foot.at(static_cast<std::size_t>(far[i].node)) = far_numbers[i];
+  }
   place_in_shared_file(io, {given.job, given.surface, given.numbering}, surface, numbers, portion);
   io.number("tets", static_cast<double>(counts.tets));
   io.number("pyramids", static_cast<double>(counts.pyramids));

@@ -204,10 +204,10 @@ CheckedInput surface_of(TaskIo& io, const JobFile& job, const InspectGiven& give
 void inspect_task(TaskIo& io) {
   const auto given = io.given<InspectGiven>();
   const JobFile job = parse_job_file(io.read(given.job), "job.toml");
-  const auto [checked, input_bytes] = surface_of(io, job, given);
+  auto [checked, input_bytes] = surface_of(io, job, given);
   io.progress().begin(WorkStage::spacing);
   const JobDomain domain = domain_of_job(job, checked.surface);
-  const std::string spacing_bytes = domain.spacing.to_bytes();
+  std::string spacing_bytes = domain.spacing.to_bytes();
   const SubdomainSize size{
       domain.elements, static_cast<double>(domain.root.triangles.size()),
       static_cast<double>(spacing_bytes.size()),
@@ -226,9 +226,10 @@ void inspect_task(TaskIo& io) {
                limits_of_job(job, checked.surface, domain.volume,
                              static_cast<double>(given.free_bytes.value_or(0))));
   report_forecast(io, forecast);
+  checked = CheckedSurface{};  // what is published is made in memory beside the domain
   InspectMade made;
+  made.spacing = io.publish(std::exchange(spacing_bytes, {}));
   made.surface = io.publish(surface_to_bytes(domain.surface));
-  made.spacing = io.publish(spacing_bytes);
   made.root = io.publish(subdomain_to_bytes(domain.root));
   made.settings = io.publish(to_toml(mesh_settings_of(job)));
   made.parts = static_cast<std::uint64_t>(parts);

@@ -9,6 +9,7 @@
 #include "mesh/core/complaints.h"
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/inspect/region_map.h"
+#include "mesh/layers/pml_blocks.h"
 #include "mesh/layers/unlayered_domain.h"
 #include "worker/job_layers.h"
 #include "worker/job_patch_sizes.h"
@@ -162,23 +163,35 @@ LayerCoverage coverage_without(const std::vector<std::int32_t>& pml_patches,
   return coverage_of(walls);
 }
 
+LayerPlan plan_of(const SurfaceMesh& surface, const std::vector<LayerRequest>& requests) {
+  if (!requests.empty()) return plan_layers(surface, requests);
+  LayerPlan none;
+  none.vertex2line.assign(surface.vertices.size(), -1);
+  return none;
+}
+
 void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domain) {
   const SurfaceMesh& surface = domain.surface;
   require_one_region(job, surface);
   std::vector<LayerRequest> requests = layer_requests_of(job, surface);
   DomainLayers layers;
   std::vector<std::int32_t> pml_patches;
+  PmlBlocksRequest blocks;  // of absorbing layers that are planned behind the others
   if (job.pml) {
-    PmlBlock block = pml_block_of(job, surface);
+    PmlBlock block = has_pml_blocks(job) ? pml_blocks_of(job, surface) : pml_block_of(job, surface);
     require_few_elements(job, domain.elements + static_cast<double>(block.figures.cells()),
                          limits_of_job(job, checked, domain.volume, 0));
-    pml_patches = block.request.patches;
     layers.pml = std::move(block.figures);
-    requests.push_back(std::move(block.request));
-    domain.surface = std::move(block.surface);
-    domain.volume = domain_volume(domain.surface);
+    if (has_pml_blocks(job)) {
+      blocks = request_of_blocks(block);
+    } else {
+      pml_patches = block.request.patches;
+      requests.push_back(std::move(block.request));
+      domain.surface = std::move(block.surface);
+      domain.volume = domain_volume(domain.surface);
+    }
   }
-  LayerPlan plan = plan_layers(surface, requests);
+  LayerPlan plan = plan_of(surface, requests);
   const std::vector<WallLayers> walls = wall_layers(plan, surface);
   layers.coverage = coverage_without(pml_patches, surface, walls);
   if (!job.layers.empty()) layers.map = layer_map_vtp(walls, plan, surface);
@@ -191,6 +204,12 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
     layers.planes = retreat->figures;
     plan = std::move(retreat->plan);
     domain.surface = std::move(retreat->surface);
+  }
+  if (has_pml_blocks(job)) {
+    PmlBlocks grown = with_pml_blocks(surface, std::move(plan), blocks);
+    plan = std::move(grown.plan);
+    domain.surface = std::move(grown.surface);
+    domain.volume = domain_volume(domain.surface);
   }
   layers.chunks = chunks_of(plan, surface);
   for (const LayerChunk& chunk : layers.chunks) layers.cells += counts_of(chunk).cells();

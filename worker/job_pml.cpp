@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
+#include "mesh/layers/pml_blocks.h"
 #include "mesh/layers/pml_inset.h"
 #include "mesh/layers/pml_offset.h"
 #include "worker/job_layers.h"
@@ -28,7 +29,10 @@ std::string pml_place(const JobPml& pml) {
 /// The name "outer" is short for that of the boundary that the job puts round a body.
 bool names_patch(const JobFile& job, std::string_view glob, const std::vector<std::string>& names,
                  std::size_t patch) {
-  const bool is_added = job.outer_kind != "none" && patch + 1 == names.size();
+  const std::size_t own = names.size() - std::min(added_patches(job), names.size());
+  const bool is_plane = job.symmetry && patch + 1 == names.size();
+  if (is_plane) return glob.starts_with("symmetry") && matches_glob(glob, names[patch]);
+  const bool is_added = patch >= own;
   if (is_added && glob == "outer") return true;
   return matches_glob(glob, names[patch]) && (!is_added || glob.starts_with("outer"));
 }
@@ -118,7 +122,10 @@ std::vector<std::int32_t> pml_patches_of(const JobFile& job, const SurfaceMesh& 
   return patches;
 }
 
-PmlBlock pml_block_of(const JobFile& job, const SurfaceMesh& surface) {
+namespace {
+
+/// What grows, before it is known where.
+PmlBlock block_of_layers(const JobFile& job, const SurfaceMesh& surface) {
   const std::vector<std::int32_t> patches = pml_patches_of(job, surface);
   const JobPml& pml = *job.pml;
   const std::vector<Triangle> triangles = triangles_on(surface, patches);
@@ -130,6 +137,32 @@ PmlBlock pml_block_of(const JobFile& job, const SurfaceMesh& surface) {
   if (!std::isfinite(block.figures.thickness)) {
     throw UsageError("so many layers that are so high have no finite height", pml_place(pml));
   }
+  return block;
+}
+
+}  // namespace
+
+bool has_pml_blocks(const JobFile& job) { return job.pml && job.pml->corners == "block"; }
+
+PmlBlocksRequest request_of_blocks(const PmlBlock& block) {
+  return {block.request.patches, block.request.law, block.request.count};
+}
+
+PmlBlock pml_blocks_of(const JobFile& job, const SurfaceMesh& surface) {
+  TF_CHECK(has_pml_blocks(job));
+  PmlBlock block = block_of_layers(job, surface);
+  const PmlBlocksRequest request = request_of_blocks(block);
+  require_pml_blocks(surface, request, layer_requests_of(job, surface));
+  const PmlBlockCounts counts = counts_of_pml_blocks(surface, request);
+  block.figures.triangles = counts.outer_triangles;
+  block.figures.tets = counts.tets;
+  return block;
+}
+
+PmlBlock pml_block_of(const JobFile& job, const SurfaceMesh& surface) {
+  PmlBlock block = block_of_layers(job, surface);
+  const JobPml& pml = *job.pml;
+  const std::vector<std::int32_t>& patches = block.request.patches;
   if (pml.side == "inside") {
     block.surface = surface;
     block.request.ways = pml_ways_inwards(surface, patches, block.figures.thickness);

@@ -13,6 +13,7 @@
 #include "mesh/core/surface_mesh.h"
 #include "mesh/job_file/job_file.h"
 #include "mesh/layers/layer_request.h"
+#include "mesh/layers/pml_blocks.h"
 
 namespace tetfarm {
 
@@ -43,7 +44,16 @@ struct PmlBlock {
 /// as well. Cost: O(n).
 std::vector<std::int32_t> pml_patches_of(const JobFile& job, const SurfaceMesh& surface);
 
-/// @pre the job has a [[pml]]; the surface has no defects, and bounds one region.
+/// Whether the job's layers are blocks (mesh/layers/pml_blocks.h).
+bool has_pml_blocks(const JobFile& job);
+
+/// Of such a job what pml_block_of is of others, but for the surface, which with_pml_blocks makes.
+/// @pre the surface has no defects, and bounds one region. @throws UsageError as pml_patches_of and
+/// require_pml_blocks do. Cost: that of check_surface.
+PmlBlock pml_blocks_of(const JobFile& job, const SurfaceMesh& surface);
+PmlBlocksRequest request_of_blocks(const PmlBlock& block);
+
+/// @pre the job has a [[pml]], not of blocks; the surface has no defects, and bounds one region.
 /// @throws UsageError as pml_patches_of, pml_directions and moved_outwards do.
 /// Cost: that of check_surface.
 PmlBlock pml_block_of(const JobFile& job, const SurfaceMesh& surface);

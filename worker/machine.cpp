@@ -8,6 +8,8 @@
 #include <fstream>
 #include <optional>
 
+#include "base/file_system.h"
+
 namespace tetfarm {
 namespace {
 
@@ -72,7 +74,7 @@ std::string host_name() {
 }
 
 std::filesystem::path default_cache_folder() {
-  return std::filesystem::temp_directory_path() / ("tetfarm-cache-" + std::to_string(::geteuid()));
+  return temporary_folder() / ("tetfarm-cache-" + std::to_string(::geteuid()));
 }
 
 std::int64_t walltime_left_ms(const Environment& environment, std::int64_t wall_ms) {

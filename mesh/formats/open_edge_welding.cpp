@@ -1,7 +1,6 @@
 #include "mesh/formats/open_edge_welding.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "base/check.h"

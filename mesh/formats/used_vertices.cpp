@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "base/check.h"
-
 namespace tetfarm {
 
 void keep_used_vertices(SurfaceMesh& surface) {
@@ -34,15 +32,6 @@ std::int32_t vertex_of(const InputScanner& scanner, const SurfaceMesh& surface, 
                  " (counted from " + std::to_string(from) + ")");
   }
   return static_cast<std::int32_t>(number - from);
-}
-
-void add_polygon(SurfaceMesh& surface, const std::vector<std::int32_t>& corners,
-                 std::int32_t patch) {
-  TF_CHECK(corners.size() >= 3);
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    surface.triangles.push_back({corners[0], corners[i - 1], corners[i]});
-    surface.patch_of_triangle.push_back(patch);
-  }
 }
 
 }  // namespace tetfarm

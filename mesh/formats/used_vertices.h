@@ -15,8 +15,4 @@ void keep_used_vertices(SurfaceMesh& surface);
 std::int32_t vertex_of(const InputScanner& scanner, const SurfaceMesh& surface, std::int64_t number,
                        std::int64_t from);
 
-/// A fan of triangles round the first corner, all of that patch. @pre at least 3 corners.
-void add_polygon(SurfaceMesh& surface, const std::vector<std::int32_t>& corners,
-                 std::int32_t patch);
-
 }  // namespace tetfarm

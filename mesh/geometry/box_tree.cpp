@@ -1,37 +1,53 @@
 #include "mesh/geometry/box_tree.h"
 
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "base/check.h"
+#include "mesh/geometry/box_measures.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr std::int32_t leaf_size = 4;
 
-int longest_axis(const Vec3& size) {
-  const int axis = size.y > size.x ? 1 : 0;
-  return size.z > size[axis] ? 2 : axis;
-}
-
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Box3> boxes) : items_(boxes.size()) {
-  TF_CHECK(boxes.size() <= std::numeric_limits<std::int32_t>::max());
-  for (const Box3& box : boxes) {
+BoxTree::BoxTree(std::vector<Box3> boxes) : items_(boxes.size()), item_boxes_(std::move(boxes)) {
+  TF_CHECK(item_boxes_.size() <= std::numeric_limits<std::int32_t>::max());
+  for (const Box3& box : item_boxes_) {
     TF_CHECK(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z);
   }
-  if (boxes.empty()) return;
+  if (items_.empty()) return;
   std::iota(items_.begin(), items_.end(), 0);
-  build(boxes, 0, static_cast<std::int32_t>(boxes.size()));
-  item_boxes_.reserve(boxes.size());
-  for (const std::int32_t i : items_) item_boxes_.push_back(boxes[static_cast<std::size_t>(i)]);
+  build(0, static_cast<std::int32_t>(items_.size()));
+  put_boxes_in_order();
 }
 
-void BoxTree::build(std::span<const Box3> boxes, std::int32_t first, std::int32_t last) {
+/// In place: round each cycle of the permutation.
+void BoxTree::put_boxes_in_order() {
+  std::vector<bool> is_placed(items_.size(), false);
+  for (std::size_t start = 0; start < items_.size(); ++start) {
+    if (is_placed[start]) continue;
+    const Box3 first = item_boxes_[start];
+    std::size_t to = start;
+    for (;;) {
+      is_placed[to] = true;
+      const auto from = static_cast<std::size_t>(items_[to]);
+      if (from == start) break;
+      item_boxes_[to] = item_boxes_[from];
+      to = from;
+    }
+    item_boxes_[to] = first;
+  }
+}
+
+/// The boxes are in their own order still.
+void BoxTree::build(std::int32_t first, std::int32_t last) {
   TF_CHECK(first < last);
-  const auto box_of = [&boxes](std::int32_t i) -> const Box3& {
-    return boxes[static_cast<std::size_t>(i)];
+  const auto box_of = [this](std::int32_t i) -> const Box3& {
+    return item_boxes_[static_cast<std::size_t>(i)];
   };
   const auto begin = items_.begin() + first;
   const auto end = items_.begin() + last;
@@ -51,16 +67,16 @@ void BoxTree::build(std::span<const Box3> boxes, std::int32_t first, std::int32_
     return;
   }
   // Ties are broken by number, so that the two halves do not depend on how nth_element works.
-  const int axis = longest_axis(centres.size());
+  const int axis = longest_axis(centres);
   const std::int32_t middle = first + (last - first) / 2;
   std::nth_element(begin, items_.begin() + middle, end, [&](std::int32_t a, std::int32_t b) {
     const double ca = box_of(a).low[axis] + box_of(a).high[axis];
     const double cb = box_of(b).low[axis] + box_of(b).high[axis];
     return ca < cb || (ca == cb && a < b);
   });
-  build(boxes, first, middle);
+  build(first, middle);
   nodes_[self].right = static_cast<std::int32_t>(nodes_.size());
-  build(boxes, middle, last);
+  build(middle, last);
 }
 
 std::vector<Box3> triangle_boxes(std::span<const Vec3> vertices,

@@ -3,8 +3,8 @@
 /// Source: thesis 4.3.1.7 needs the surface triangles near each triangle of a cut; the tree is the
 /// usual bounding volume hierarchy, split at the median of the box centres along the longest axis.
 /// Boxes that only touch overlap. Visits come in an order that depends on the boxes alone.
-/// Cost: build O(n log n), about 80 bytes a box; a query O(log n + hits) for boxes that overlap
-/// little.
+/// Cost: build O(n log n), about 80 bytes a box, with those of boxes that are moved in; a query
+/// O(log n + hits) for boxes that overlap little.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class BoxTree {
  public:
   BoxTree() = default;
   /// @pre no box is empty or holds a NaN.
-  explicit BoxTree(std::span<const Box3> boxes);
+  explicit BoxTree(std::vector<Box3> boxes);
 
   std::size_t size() const { return items_.size(); }
 
@@ -56,7 +56,8 @@ class BoxTree {
     std::int32_t right = 0;
   };
 
-  void build(std::span<const Box3> boxes, std::int32_t first, std::int32_t last);
+  void build(std::int32_t first, std::int32_t last);
+  void put_boxes_in_order();
   const Node& node(std::int32_t i) const { return nodes_[static_cast<std::size_t>(i)]; }
 
   template <typename Visitor>
@@ -66,7 +67,7 @@ class BoxTree {
 
   std::vector<Node> nodes_;
   std::vector<std::int32_t> items_;
-  std::vector<Box3> item_boxes_;  // in the order of items_
+  std::vector<Box3> item_boxes_;  // in the order of items_, once the tree is built
 };
 
 /// The box of each triangle.

@@ -22,19 +22,44 @@ std::size_t corner_on_side(const TrianglePoints& c) {
   return best;
 }
 
-/// One pass: no triangle is touched twice.
+std::vector<std::size_t> flat_triangles(const SurfaceMesh& surface) {
+  std::vector<std::size_t> flat;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (is_degenerate(points_of(surface, t))) flat.push_back(t);
+  }
+  return flat;
+}
+
+/// 1 for each triangle that may be on an edge of one of these.
+std::vector<char> beside(const SurfaceMesh& surface, std::span<const std::size_t> flat) {
+  std::vector<char> is_corner(surface.vertices.size(), 0);
+  for (const std::size_t t : flat) {
+    for (const std::int32_t v : surface.triangles[t]) is_corner[static_cast<std::size_t>(v)] = 1;
+  }
+  std::vector<char> sieve;
+  sieve.reserve(surface.triangles.size());
+  for (const Triangle& nodes : surface.triangles) {
+    const auto shared = std::ranges::count_if(
+        nodes, [&](std::int32_t v) { return is_corner[static_cast<std::size_t>(v)] != 0; });
+    sieve.push_back(shared >= 2 ? 1 : 0);
+  }
+  return sieve;
+}
+
+/// One pass: no triangle is touched twice. Only the edges round flat triangles are sorted, as a
+/// large surface takes many passes for the few that it has.
 class FlatPass {
  public:
   explicit FlatPass(HealingWork& work)
       : work_(work),
-        uses_(edge_uses(work.surface.triangles)),
+        flat_(flat_triangles(work.surface)),
+        uses_(edge_uses(work.surface.triangles, beside(work.surface, flat_))),
         is_gone_(work.surface.triangles.size(), 0) {}
 
   std::int64_t run() {
-    const std::size_t count = is_gone_.size();
     std::int64_t removed = 0;
-    for (std::size_t t = 0; t < count; ++t) {
-      if (is_gone_[t] == 0 && is_degenerate(points_of(work_.surface, t)) && remove(t)) ++removed;
+    for (const std::size_t t : flat_) {
+      if (is_gone_[t] == 0 && remove(t)) ++removed;
     }
     is_gone_.resize(work_.surface.triangles.size(), 0);
     remove_triangles(work_.surface, is_gone_);
@@ -77,6 +102,7 @@ class FlatPass {
   }
 
   HealingWork& work_;
+  std::vector<std::size_t> flat_;
   std::vector<EdgeUse> uses_;
   std::vector<char> is_gone_;
 };

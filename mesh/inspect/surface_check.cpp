@@ -130,12 +130,13 @@ bool has_crowded_edge(std::span<const EdgeUse> uses) {
 
 }  // namespace
 
-CheckedSurface check_surface(const SurfaceMesh& surface, const RegionRules& rules) {
-  CheckedSurface checked{surface, {}};
+CheckedSurface check_surface(SurfaceMesh given, const RegionRules& rules) {
+  CheckedSurface checked{std::move(given), {}};
+  const SurfaceMesh& surface = checked.surface;
   SurfaceReport& report = checked.report;
   TriangleCheck triangles = check_triangles(surface);
   report.defects = std::move(triangles.defects);
-  const std::vector<EdgeUse> uses = edge_uses(surface.triangles, triangles.sieve.for_edges);
+  std::vector<EdgeUse> uses = edge_uses(surface.triangles, triangles.sieve.for_edges);
   measure_surface(surface, uses, report);
   if (auto defect = check_edges(surface, uses)) report.defects.push_back(std::move(*defect));
   ShellOrientation orientation = orient_shells(surface, uses, triangles.sieve.for_edges);
@@ -143,16 +144,19 @@ CheckedSurface check_surface(const SurfaceMesh& surface, const RegionRules& rule
   for (const auto& shell : orientation.shells) {
     report.shells.emplace_back().triangles = shell;
   }
+  const std::vector<std::int32_t> of_several_fans = vertices_of_several_fans(surface, uses);
+  const bool has_interfaces = has_crowded_edge(uses);
+  const bool has_regions = has_interfaces || !rules.wishes.empty();
+  if (!has_regions) uses = {};  // the next step needs most memory
   if (auto defect = check_self_intersection(surface, triangles.sieve.for_contact)) {
     report.defects.push_back(std::move(*defect));
   }
-  remark_on_fans(surface, vertices_of_several_fans(surface, uses), report);
+  remark_on_fans(surface, of_several_fans, report);
   if (report.unused_vertices > 0) {
     report.remarks.push_back("vertices in no triangle: " + std::to_string(report.unused_vertices));
   }
   if (!report.defects.empty()) return checked;
-  const bool has_interfaces = has_crowded_edge(uses);
-  if (has_interfaces || !rules.wishes.empty()) {
+  if (has_regions) {
     divide_into_regions(uses, rules, has_interfaces, checked);
   } else {
     nest_and_orient(orientation, checked);

@@ -380,7 +380,9 @@ double default_outer_factor(std::string_view outer_kind) {
 std::string obstacle_to_symmetry(const JobFile& job) {
   if (!job.symmetry) return {};
   if (job.remeshing) return "remeshing, which wants a closed surface";
-  if (job.pml) return "absorbing layers";
+  if (job.pml && job.pml->corners != "block") {
+    return "absorbing layers whose corners are mitres; take `corners = \"block\"`";
+  }
   return {};
 }
 
@@ -419,7 +421,9 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
                  [&](const toml::node& node) { job.sources.push_back(parse_source(top, node)); });
   for_each_table(top, "layers",
                  [&](const toml::node& node) { job.layers.push_back(parse_layers(top, node)); });
-  job.patches = parse_patch_tables(top);
+  PatchTables said_of_patches = parse_patch_tables(top, job.layers);
+  job.patches = std::move(said_of_patches.patches);
+  for (JobLayers& layers : said_of_patches.layers) job.layers.push_back(std::move(layers));
   for_each_table(top, "pml", [&](const toml::node& node) {
     if (job.pml) {
       top.fail(node.source(),

@@ -73,6 +73,7 @@ struct JobPml {
   std::string elements = "tets";  // "tets" | "prisms"
   std::string side = "outside";   // of the patches: "outside" | "inside"
   std::string typed;              // as --pml, for messages; canonical text does not have it
+  std::string corners = "mitre";  // "mitre" | "block"
 };
 
 /// What the job says of patches by name.

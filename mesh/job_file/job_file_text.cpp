@@ -108,8 +108,8 @@ std::string pml_to_toml(const JobPml& pml) {
   return "\n[[pml]]\npatches = " + array_of(pml.patches) +
          "\nlayers = " + std::to_string(pml.layers) +
          "\nheight = " + (pml.height > 0 ? toml_number(pml.height) : "\"spacing\"") +
-         "\ncorners = \"mitre\"\nelements = " + quoted_toml(pml.elements) + "\n" +
-         (pml.side == JobPml{}.side ? "" : "side = " + quoted_toml(pml.side) + "\n");
+         "\ncorners = " + quoted_toml(pml.corners) + "\nelements = " + quoted_toml(pml.elements) +
+         "\n" + (pml.side == JobPml{}.side ? "" : "side = " + quoted_toml(pml.side) + "\n");
 }
 
 std::string patch_to_toml(const JobPatch& patch) {

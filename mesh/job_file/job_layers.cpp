@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 6> keys_of_pml = {"patches", "layers",   
                                                          "corners", "elements", "side"};
 constexpr std::array<std::string_view, 2> kinds_of_elements = {"tets", "prisms"};
 constexpr std::array<std::string_view, 2> pml_sides = {"outside", "inside"};
-constexpr std::array<std::string_view, 1> pml_corners = {"mitre"};
+constexpr std::array<std::string_view, 2> pml_corners = {"mitre", "block"};
 constexpr std::array<std::string_view, 1> heights_in_words = {"spacing"};
 constexpr std::array<std::string_view, 3> rules_of_room = {"ratio", "stop", "scale"};
 constexpr std::array<std::string_view, 1> counts_in_words = {"isotropic"};
@@ -173,9 +173,21 @@ void parse_block(const JobSection& section, JobPml& pml) {
   } else if (section.has("height")) {
     pml.height = section.positive("height");
   }
-  if (section.has("corners")) section.one_of("corners", pml_corners);
+  if (section.has("corners")) pml.corners = section.one_of("corners", pml_corners);
   if (section.has("elements")) pml.elements = section.one_of("elements", kinds_of_elements);
   if (section.has("side")) pml.side = section.one_of("side", pml_sides);
+  if (pml.corners != "block") return;
+  if (pml.elements == "prisms") {
+    section.fail(
+        "elements",
+        "cannot be \"prisms\" with `corners = \"block\"`: beyond an edge, where blocks meet, "
+        "prisms would have quads beside triangles; leave it out");
+  }
+  if (pml.side == "inside") {
+    section.fail("side",
+                 "cannot be \"inside\" with `corners = \"block\"`, whose blocks lie outside of the "
+                 "patches; leave it out, or take `corners = \"mitre\"`");
+  }
 }
 
 std::vector<std::string> parse_patches(const JobSection& section) {
@@ -256,6 +268,15 @@ JobLayers parse_layers(const JobSection& top, const toml::node& node) {
   const JobSection section = top.item(node, "layers", table_keys);
   JobLayers layers;
   layers.patches = parse_patches(section);
+  parse_heights(section, HeightKeys(), layers);
+  return layers;
+}
+
+JobLayers parse_layers_of_patch(const JobSection& patch, const std::string& glob) {
+  const Words known = std::span(table_keys).subspan(1);  // no patches
+  const JobSection section = patch.item(patch.node("layers"), "patch." + glob + ".layers", known);
+  JobLayers layers;
+  layers.patches = {glob};
   parse_heights(section, HeightKeys(), layers);
   return layers;
 }

@@ -14,6 +14,10 @@ Words layers_keys();
 /// @throws UsageError as JobSection does.
 JobLayers parse_layers(const JobSection& top, const toml::node& node);
 
+/// Those of the key `layers` of a table [patch.NAME], NAME being `glob`: the keys of [[layers]] but
+/// for `patches`. @throws UsageError as JobSection does.
+JobLayers parse_layers_of_patch(const JobSection& patch, const std::string& glob);
+
 /// The same of a table [[pml]].
 Words pml_keys();
 JobPml parse_pml(const JobSection& top, const toml::node& node);

@@ -11,25 +11,40 @@
 #include "base/error.h"
 #include "base/utf8.h"
 #include "mesh/core/patch_type.h"
+#include "mesh/job_file/job_layers.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 3> keys_of_patch = {"type", "size", "growth"};
+constexpr std::array<std::string_view, 4> keys_of_patch = {"type", "size", "growth", "layers"};
 
 constexpr std::size_t longest_glob = 255;
 constexpr std::size_t most_globs = 1000;
 
-/// Of a table that has a type, a size or both.
+/// Of a table that has a type, a size or layers.
 JobPatch parse_patch(const std::string& glob, const JobSection& section) {
   JobPatch patch;
   patch.glob = glob;
   const bool has_size = section.has("size");
   if (section.has("growth") && !has_size) section.fail("growth", "needs `size`");
-  if (section.has("type") || !has_size) patch.type = section.one_of("type", patch_type_words);
+  const bool needs_type = !has_size && !section.has("layers");
+  if (section.has("type") || needs_type) patch.type = section.one_of("type", patch_type_words);
   if (has_size) patch.size = section.positive("size");
   if (section.has("growth")) patch.growth = section.positive("growth");
   return patch;
+}
+
+/// @throws UsageError where [[layers]] name the same patch, or pattern.
+JobLayers own_layers(const std::string& glob, const JobSection& section,
+                     const std::vector<JobLayers>& listed) {
+  for (const JobLayers& other : listed) {
+    if (std::find(other.patches.begin(), other.patches.end(), glob) == other.patches.end()) {
+      continue;
+    }
+    section.fail("layers", "cannot be given: a [[layers]] has the patch \"" + glob +
+                               "\" already; say its layers in one of the two");
+  }
+  return parse_layers_of_patch(section, glob);
 }
 
 /// All of the text.
@@ -75,9 +90,9 @@ std::vector<std::string> globs_of_option(std::string_view names, const std::stri
 
 Words patch_keys() { return keys_of_patch; }
 
-std::vector<JobPatch> parse_patch_tables(const JobSection& top) {
-  std::vector<JobPatch> patches;
-  if (!top.has("patch")) return patches;
+PatchTables parse_patch_tables(const JobSection& top, const std::vector<JobLayers>& layers) {
+  PatchTables said;
+  if (!top.has("patch")) return said;
   const toml::table* const tables = top.node("patch").as_table();
   if (tables == nullptr)
     top.fail("patch", "must be written [patch.NAME], NAME being that of a patch");
@@ -92,9 +107,11 @@ std::vector<JobPatch> parse_patch_tables(const JobSection& top) {
                    "` must be a table of its own: [patch.NAME], NAME being that of a patch");
     }
     const JobSection section = top.item(node, "patch." + std::string(name), keys_of_patch);
-    patches.push_back(parse_patch(std::string(name), section));
+    JobPatch patch = parse_patch(std::string(name), section);
+    if (section.has("layers")) said.layers.push_back(own_layers(patch.glob, section, layers));
+    if (!patch.type.empty() || patch.size > 0) said.patches.push_back(std::move(patch));
   }
-  return patches;
+  return said;
 }
 
 std::vector<JobPatch> parse_patch_type_option(std::string_view typed) {

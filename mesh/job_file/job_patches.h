@@ -22,7 +22,15 @@ std::vector<std::string> globs_of_option(std::string_view names, const std::stri
 /// Every key of a table [patch.NAME].
 Words patch_keys();
 
-/// The tables [patch.NAME] of a job, by name. @throws UsageError as JobSection does.
-std::vector<JobPatch> parse_patch_tables(const JobSection& top);
+/// What tables [patch.NAME] say.
+struct PatchTables {
+  std::vector<JobPatch> patches;  ///< those with a type or a size
+  std::vector<JobLayers> layers;  ///< of each that has any, as a [[layers]] of that patch
+};
+
+/// The tables [patch.NAME] of a job, by name.
+/// @param layers those of [[layers]]
+/// @throws UsageError as JobSection does, and where a patch of one of these has layers of its own.
+PatchTables parse_patch_tables(const JobSection& top, const std::vector<JobLayers>& layers);
 
 }  // namespace tetfarm

@@ -25,6 +25,8 @@ constexpr std::uint32_t chunk_version_with_fans = 4;
 constexpr std::uint32_t chunk_version_with_box = 5;
 /// All that, where there is a box, and lists of heights.
 constexpr std::uint32_t chunk_version_with_lists = 6;
+/// All that, and where lines meet.
+constexpr std::uint32_t chunk_version_with_ends = 7;
 /// What a line of another kind than that of boundary layers is.
 constexpr std::uint32_t in_tets_bit = 1;
 constexpr std::uint32_t of_pml_bit = 2;
@@ -122,7 +124,14 @@ bool has_lists(const LayerChunk& chunk) {
                      [](const ChunkLine& l) { return l.line.law.ratios.are_listed(); });
 }
 
+bool has_ends(const LayerChunk& chunk) {
+  return std::any_of(chunk.lines.begin(), chunk.lines.end(), [](const ChunkLine& l) {
+    return l.end || l.inner || l.line.end != LineEnd();
+  });
+}
+
 std::uint32_t version_for(const LayerChunk& chunk) {
+  if (has_ends(chunk)) return chunk_version_with_ends;
   if (has_lists(chunk)) return chunk_version_with_lists;
   if (chunk.within_pml) return chunk_version_with_box;
   const bool has_fans = !chunk.fans.empty() ||
@@ -140,8 +149,8 @@ std::uint32_t version_for(const LayerChunk& chunk) {
 /// By the first bytes; what else they say is looked at by who reads on.
 std::uint32_t version_of(std::string_view bytes) {
   for (const std::uint32_t version :
-       {chunk_version_with_lists, chunk_version_with_box, chunk_version_with_fans,
-        chunk_version_with_sides, chunk_version_with_kinds}) {
+       {chunk_version_with_ends, chunk_version_with_lists, chunk_version_with_box,
+        chunk_version_with_fans, chunk_version_with_sides, chunk_version_with_kinds}) {
     if (says_version(bytes, chunk_magic, version)) return version;
   }
   return chunk_version;
@@ -345,6 +354,52 @@ void read_lists(ByteReader& reader, LayerChunk& chunk) {
   }
 }
 
+/// Of none the owner is a number that no owner has.
+constexpr std::uint64_t no_owner = top_of_layers - 1;
+
+void write_origin(const std::optional<Origin>& origin, ByteWriter& writer) {
+  writer.number<std::uint64_t>(origin ? origin->owner : no_owner);
+  writer.number<std::uint32_t>(origin ? origin->index : 0);
+}
+
+std::optional<Origin> read_origin(ByteReader& reader) {
+  Origin origin;
+  origin.owner = reader.number<std::uint64_t>();
+  origin.index = reader.number<std::uint32_t>();
+  if (origin.owner == no_owner) return std::nullopt;
+  if (origin.owner >= heaps_end && origin.owner != top_of_layers) {
+    reader.fail("has a line that cannot be");
+  }
+  return origin;
+}
+
+void write_ends(const LayerChunk& chunk, ByteWriter& writer) {
+  for (const ChunkLine& line : chunk.lines) {
+    writer.number(line.line.end.vertex);
+    writer.number<std::int32_t>(line.line.end.depth);
+    write_origin(line.end, writer);
+    write_origin(line.inner, writer);
+  }
+}
+
+/// @pre kinds, and what lies in planes, have been read.
+void read_ends(ByteReader& reader, LayerChunk& chunk) {
+  for (ChunkLine& line : chunk.lines) {
+    LineEnd& end = line.line.end;
+    end.vertex = reader.number<std::int32_t>();
+    end.depth = reader.number<std::int32_t>();
+    line.end = read_origin(reader);
+    line.inner = read_origin(reader);
+    const bool meets = end != LineEnd() || line.end || line.inner;
+    const bool is_right =
+        (!meets || (line.line.of_pml && line.line.stop > 0)) && end.vertex >= -1 &&
+        (end.vertex < 0 || line.line.vertices == line.line.stop) && end.depth >= 0 &&
+        end.depth <= most_layers && (end.depth > 0) == line.inner.has_value() &&
+        !(line.end && line.line.vertices > 0);
+    if (!is_right) reader.fail("has a line that cannot be");
+  }
+}
+
 std::array<Vec3, 2> read_box(ByteReader& reader) {
   std::array<Vec3, 2> box;
   for (Vec3& corner : box) corner = read_vector(reader);
@@ -386,6 +441,7 @@ std::string layer_chunk_to_bytes(const LayerChunk& chunk) {
     for (const Vec3& corner : *chunk.within_pml) write_vector(corner, writer);
   }
   if (version >= chunk_version_with_lists) write_lists(chunk, writer);
+  if (version >= chunk_version_with_ends) write_ends(chunk, writer);
   writer.array(chunk.triangles);
   writer.array(chunk.surface_triangles);
   return finish_checked(std::move(writer));
@@ -410,6 +466,7 @@ LayerChunk layer_chunk_from_bytes(std::string_view bytes, const std::string& nam
                                                            : version == chunk_version_with_box;
   if (has_box) chunk.within_pml = read_box(reader);
   if (version >= chunk_version_with_lists) read_lists(reader, chunk);
+  if (version >= chunk_version_with_ends) read_ends(reader, chunk);
   chunk.triangles = reader.array<Triangle>(triangles);
   chunk.surface_triangles = reader.array<std::uint32_t>(triangles);
   reader.expect_end();

@@ -124,7 +124,7 @@ std::vector<std::uint32_t> top_numbers(const LayerPlan& plan) {
   std::uint32_t next = 0;
   for (const LayerLine& line : plan.lines) {
     numbers.push_back(next);
-    if (line.stop > 0 && line.vertices == 0) ++next;
+    if (has_top(line)) ++next;
   }
   return numbers;
 }
@@ -139,7 +139,7 @@ int inner_points(const LayerLine& line) {
 std::array<Vec3, 2> box_within_pml(const LayerPlan& plan) {
   Box3 box;
   for (const LayerLine& line : plan.lines) {
-    if (line.of_pml) box.add(point_of(line, line.stop));
+    if (line.of_pml && line.end.depth == 0) box.add(point_of(line, line.stop));
   }
   return {box.low, box.high};
 }
@@ -163,6 +163,23 @@ class ChunkFiller {
     next_node_ = 0;
     chunk_ = &chunk;
   }
+
+  /// Tells the lines of a chunk that meet others where these are. @pre all chunks are filled.
+  /// @param lines those of the chunk, as lines() had them.
+  void add_ends(const std::vector<std::int32_t>& lines, LayerChunk& chunk) const {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const LineEnd& end = plan_.lines[at(lines[i])].end;
+      ChunkLine& line = chunk.lines[i];
+      if (end.line >= 0) line.end = origin_of(end.line, end.level);
+      if (end.inner_vertex >= 0) line.inner = {0, static_cast<std::uint32_t>(end.inner_vertex)};
+      if (end.inner_line >= 0) {
+        line.inner = origin_of(end.inner_line, plan_.lines[at(end.inner_line)].stop);
+      }
+    }
+  }
+
+  /// Of the plan, those of the chunk that was begun last, in its order.
+  const std::vector<std::int32_t>& lines() const { return lines_; }
 
   void add(const Layered& layered) {
     if (layered.is_fan) {
@@ -222,8 +239,25 @@ class ChunkFiller {
     }
     added.owner = owned.by;
     added.first_node = owned.first_node;
-    added.top = added.line.stop > 0 && added.line.vertices == 0 ? tops_[at(line)] : 0;
+    added.line.end.line = added.line.end.inner_line = added.line.end.inner_vertex = -1;
+    added.line.end.level = 0;
+    added.top = has_top(plan_.lines[at(line)]) ? tops_[at(line)] : 0;
     return local;
+  }
+
+  /// Of a point that no other line is asked for.
+  Origin origin_of(std::int32_t number, int level) const {
+    const LayerLine& line = plan_.lines[at(number)];
+    const std::int32_t vertex = vertex_at(line, level);
+    if (vertex >= 0) return {0, static_cast<std::uint32_t>(vertex)};
+    if (level == line.stop) {
+      TF_CHECK(has_top(line));
+      return {top_of_layers, tops_[at(number)]};
+    }
+    const Owned& owned = owned_[at(number)];
+    TF_CHECK(owned.by > 0);
+    return {owned.by,
+            owned.first_node + static_cast<std::uint32_t>(level - first_inner_level(line))};
   }
 
   const LayerPlan& plan_;
@@ -247,10 +281,17 @@ std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surf
   const ChunkTree tree = chunk_tree(chunk_of.back() + 1);
   std::vector<LayerChunk> chunks(tree.leaves.size());
   ChunkFiller filler(plan);
+  const bool meet = std::any_of(plan.lines.begin(), plan.lines.end(),
+                                [](const LayerLine& line) { return line.end != LineEnd(); });
+  std::vector<std::vector<std::int32_t>> lines_of_chunks;  // where they meet
   for (std::size_t i = 0, t = 0; i < chunks.size(); ++i) {
     chunks[i].path = tree.leaves[i];
     filler.begin(chunks[i]);
     for (; t < triangles.size() && chunk_of[t] == i; ++t) filler.add(triangles[t]);
+    if (meet) lines_of_chunks.push_back(filler.lines());
+  }
+  for (std::size_t i = 0; i < lines_of_chunks.size(); ++i) {
+    filler.add_ends(lines_of_chunks[i], chunks[i]);
   }
   return chunks;
 }

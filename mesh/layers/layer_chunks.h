@@ -5,7 +5,7 @@
 /// divided without a plane: left of it is what the layers leave of the domain, right of it are the
 /// layers, and their top is the inter-domain mesh between the two. Chunks are the leaves of a
 /// balanced tree there, in the order of a Hilbert curve over the wall. A node within the layers
-/// belongs to the first chunk in tree order that has it.
+/// belongs to the first chunk in tree order that has cells at its line.
 #pragma once
 
 #include <array>
@@ -37,6 +37,11 @@ struct ChunkLine {
   std::uint32_t first_node = 0;  ///< the number among the owner's of its first node there
   std::uint32_t top = 0;         ///< the number of its last node among those of the top, but where
                                  ///< that is a vertex of the surface (LayerLine::vertices)
+  /// Of its last node where another line has it (LineEnd::line); its owner may be a chunk that
+  /// comes later.
+  std::optional<Origin> end = {};
+  /// Of the node that is meant by LineEnd::inner_line or inner_vertex, which have no meaning here.
+  std::optional<Origin> inner = {};
 
   friend bool operator==(const ChunkLine&, const ChunkLine&) = default;
 };

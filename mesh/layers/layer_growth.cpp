@@ -17,17 +17,23 @@ namespace {
 Origin origin_of(const ChunkLine& line, int level) {
   const std::int32_t vertex = vertex_at(line.line, level);
   if (vertex >= 0) return {0, static_cast<std::uint32_t>(vertex)};
+  if (level == line.line.stop && line.end) return *line.end;
   if (level == line.line.stop) return {top_of_layers, line.top};
   const auto above = static_cast<std::uint32_t>(level - first_inner_level(line.line));
   return {line.owner, line.first_node + above};
 }
 
-/// The numbers of a line's nodes: those of level 1 and up follow each other.
+/// The numbers of a line's nodes: those of level 1 and up follow each other, but for the last.
 struct LineNodes {
   std::int32_t foot = 0;
   std::int32_t first = 0;
+  int stop = 0;
+  std::int32_t last = 0;
 
-  std::int32_t at_level(int level) const { return level == 0 ? foot : first + level - 1; }
+  std::int32_t at_level(int level) const {
+    if (level == 0) return foot;
+    return level == stop ? last : first + level - 1;
+  }
 };
 
 /// How a node stands to the foot of its line.
@@ -36,8 +42,10 @@ struct OnLine {
   std::int32_t depth = 0;
 };
 
-/// Absorbing layers are counted from the inside, where their lines end.
+/// Absorbing layers are counted from the inside, where their lines end, or from where that is
+/// nearest.
 OnLine on_line(const LayerLine& line, const LineNodes& nodes, int level) {
+  if (line.end.depth > 0) return {no_foot, std::max(line.end.depth, line.stop - level)};
   if (line.of_pml) return {nodes.at_level(line.stop), line.stop - level};
   return {nodes.foot, level};
 }
@@ -48,8 +56,76 @@ void add_node(const Vec3& place, const Origin& origin, const OnLine& on, GrownLa
   layers.feet.add(on.foot, on.depth);
 }
 
+/// Whether lines of the chunk may end on others.
+bool lines_may_meet(const LayerChunk& chunk) {
+  return std::any_of(chunk.lines.begin(), chunk.lines.end(),
+                     [](const ChunkLine& l) { return l.end || l.line.end != LineEnd(); });
+}
+
+/// The nodes of lines that may end on others, each once. Ends come after all other nodes, as any of
+/// these may be one.
+class MeetingNodes {
+ public:
+  MeetingNodes(const LayerChunk& chunk, GrownLayers& layers) : chunk_(chunk), layers_(layers) {}
+
+  std::vector<LineNodes> add_all() {
+    for (const ChunkLine& line : chunk_.lines) add_but_end(line);
+    for (std::size_t i = 0; i < chunk_.lines.size(); ++i) nodes_[i].last = add_end(i);
+    for (std::size_t i = 0; i < chunk_.lines.size(); ++i) add_feet(i);
+    return std::move(nodes_);
+  }
+
+ private:
+  void add_but_end(const ChunkLine& line) {
+    const std::vector<Vec3> points = points_of(line.line);
+    const std::int32_t foot = known_or_added(points[0], origin_of(line, 0));  // a fan's is known
+    const auto first = static_cast<std::int32_t>(layers_.mesh.nodes.size());
+    nodes_.push_back({foot, first, line.line.stop, foot});
+    for (int level = 1; level < line.line.stop; ++level)
+      add(points[at(level)], origin_of(line, level));
+  }
+
+  std::int32_t add_end(std::size_t i) {
+    const ChunkLine& line = chunk_.lines[i];
+    const int stop = line.line.stop;
+    if (stop == 0) return nodes_[i].foot;
+    return known_or_added(point_of(line.line, stop), origin_of(line, stop));
+  }
+
+  std::int32_t known_or_added(const Vec3& place, const Origin& origin) {
+    const auto known = by_origin_.find(origin);
+    return known != by_origin_.end() ? known->second : add(place, origin);
+  }
+
+  std::int32_t add(const Vec3& place, const Origin& origin) {
+    const auto number = static_cast<std::int32_t>(layers_.mesh.nodes.size());
+    TF_CHECK(by_origin_.emplace(origin, number).second);
+    add_node(place, origin, {no_foot, no_foot}, layers_);
+    return number;
+  }
+
+  /// A node of several lines is nearest to the same node of the inner side by each of them.
+  void add_feet(std::size_t i) {
+    const ChunkLine& line = chunk_.lines[i];
+    for (int level = 0; level <= line.line.stop; ++level) {
+      const std::int32_t node = nodes_[i].at_level(level);
+      const OnLine on = on_line(line.line, nodes_[i], level);
+      if (layers_.feet.depth[at(node)] != no_foot) continue;
+      layers_.feet.foot[at(node)] = on.foot;
+      layers_.feet.depth[at(node)] = on.depth;
+      if (line.inner) layers_.far_feet.push_back({node, *line.inner});
+    }
+  }
+
+  const LayerChunk& chunk_;
+  GrownLayers& layers_;
+  std::vector<LineNodes> nodes_;
+  std::map<Origin, std::int32_t> by_origin_;
+};
+
 /// Adds the nodes of all lines: a foot, which several may have, with the first of them.
 std::vector<LineNodes> add_nodes(const LayerChunk& chunk, GrownLayers& layers) {
+  if (lines_may_meet(chunk)) return MeetingNodes(chunk, layers).add_all();
   std::vector<LineNodes> nodes;
   std::map<std::int32_t, std::int32_t> shared;  // node of each foot that fans have
   for (const ChunkFan& fan : chunk.fans) {
@@ -60,7 +136,9 @@ std::vector<LineNodes> add_nodes(const LayerChunk& chunk, GrownLayers& layers) {
     const auto foot = shared.find(line.line.foot);
     const bool is_there = foot != shared.end() && foot->second >= 0;
     if (foot != shared.end() && !is_there) foot->second = next;
-    nodes.push_back({is_there ? foot->second : next, is_there ? next : next + 1});
+    const std::int32_t first = is_there ? next : next + 1;
+    const int stop = line.line.stop;
+    nodes.push_back({is_there ? foot->second : next, first, stop, first + stop - 1});
     int level = 0;
     for (const Vec3& point : points_of(line.line)) {
       if (level > 0 || !is_there) {
@@ -209,13 +287,21 @@ void add_in_tets(const LayerChunk& chunk, ElementType type, std::span<const std:
   }
 }
 
+/// Of a cell of absorbing layers, counted from the wall. Where it is beyond an edge of the inner
+/// side, the largest along any axis.
+int depth_of(const LayerChunk& chunk, const Triangle& lines, int layer) {
+  int depth = chunk.lines[at(lines[0])].line.stop - layer + 1;
+  for (const std::int32_t line : lines)
+    depth = std::max(depth, chunk.lines[at(line)].line.end.depth);
+  return depth;
+}
+
 /// One layer above a triangle of the wall.
 void add_layer(const LayerChunk& chunk, const Triangle& lines,
                const std::vector<LineNodes>& line_nodes, const LayerCell& cell, GrownLayers& layers,
                Marking& marking) {
   const bool is_absorbing = is_of_pml(chunk, lines);
-  const int number =
-      is_absorbing ? chunk.lines[at(lines[0])].line.stop - cell.layer + 1 : cell.layer;
+  const int number = is_absorbing ? depth_of(chunk, lines, cell.layer) : cell.layer;
   std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> lines_of_nodes{};
   std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> all_nodes{};
   const std::size_t count = nodes_of(cell.type);

@@ -17,6 +17,14 @@
 
 namespace tetfarm {
 
+/// Where the foot of a node is, in blocks of absorbing layers beyond an edge of their inner side.
+struct FarFoot {
+  std::int32_t node = 0;
+  Origin foot;
+
+  friend bool operator==(const FarFoot&, const FarFoot&) = default;
+};
+
 /// All nodes are vertices of `subdomain`, with their origins: feet are of the surface, tops of
 /// top_of_layers, those between of the chunk that owns their line; of lines in planes the last ones
 /// are of the surface. Its triangles are those of the wall, then those of sides.
@@ -27,6 +35,8 @@ struct GrownLayers {
   CellMarks marks;       ///< of each cell its layer, or its depth in a PML and its axes
   /// Of all nodes, by the numbers here. In the middle of a fan it is the foot that the fan is from.
   NodeFeet feet;
+  /// Nodes whose foot need not be one of the nodes here: no_foot among `feet`, with their depth.
+  std::vector<FarFoot> far_feet;
 };
 
 /// Cells come triangle by triangle, each from the wall up. Cost: O(cells).

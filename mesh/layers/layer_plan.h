@@ -38,6 +38,19 @@ inline constexpr std::array all_stop_reasons = {StopReason::complete, StopReason
                                                 StopReason::fold,     StopReason::crossing};
 const char* name_of(StopReason reason);
 
+/// Where a line ends that meets others: one of absorbing layers in blocks (pml_blocks.h).
+struct LineEnd {
+  std::int32_t line = -1;    ///< whose point its last one is; -1: of none
+  int level = 0;             ///< of that point there
+  std::int32_t vertex = -1;  ///< of a line all of whose points are vertices of the surface the last
+  int depth = 0;             ///< how many layers it is away from the inner side; 0: it is there
+  // Where it is not there, of the nearest node that is:
+  std::int32_t inner_line = -1;    ///< whose top that is; -1: of none
+  std::int32_t inner_vertex = -1;  ///< or which vertex of the surface; -1: none
+
+  friend bool operator==(const LineEnd&, const LineEnd&) = default;
+};
+
 /// On which the layers of one node of the wall end. Its point at a height s, one of
 /// levels_of(law, stop), is at + s * d. There d is `along` for s up to `bends_from`, `later` from
 /// `bends_to` on, and between the two it turns from one to the other as 3 w^2 - 2 w^3 does. Where
@@ -69,6 +82,7 @@ struct LayerLine {
   std::int32_t low_vertex = -1;
   /// In each layer it goes on before its neighbours that are not early: the end of a fan.
   bool early = false;
+  LineEnd end = {};
 
   friend bool operator==(const LayerLine&, const LayerLine&) = default;
 };
@@ -107,9 +121,15 @@ std::vector<Vec3> points_of(const LayerLine& line);
 /// @pre 0 <= level <= line.stop.
 inline std::int32_t vertex_at(const LayerLine& line, int level) {
   if (level == 0) return line.foot;
+  if (level == line.stop && line.end.vertex >= 0) return line.end.vertex;
   if (level == 1 && line.low_vertex >= 0) return line.low_vertex;
   const int below_surface = line.stop - line.vertices;  // the levels that are no vertices
   return level > below_surface ? line.first_vertex + level - below_surface - 1 : -1;
+}
+
+/// Whether its last point is a node of the top that no line before it has.
+inline bool has_top(const LayerLine& line) {
+  return line.stop > 0 && line.vertices == 0 && line.end.line < 0;
 }
 
 /// The lines of a wall triangle, in its order.

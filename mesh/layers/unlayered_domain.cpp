@@ -1,6 +1,7 @@
 #include "mesh/layers/unlayered_domain.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "base/array_index.h"
@@ -35,9 +36,14 @@ class BoundaryNodes {
         of_line_[i] = of_vertex(vertex_at(line, line.stop));
         continue;
       }
+      if (!has_top(line)) continue;
       of_line_[i] = static_cast<std::int32_t>(root.vertices.size());
       root.vertices.push_back(point_of(line, line.stop));
       root.node_origin.push_back({owner_of_top, top++});
+    }
+    for (std::size_t i = 0; i < plan.lines.size(); ++i) {
+      const LineEnd& end = plan.lines[i].end;
+      if (end.line >= 0 && end.depth == 0) of_line_[i] = of_line_[at(end.line)];
     }
   }
 
@@ -80,6 +86,18 @@ std::vector<bool> triangles_of_sides(const LayerPlan& plan, const SurfaceMesh& s
   return is_of_side;
 }
 
+/// Of each triangle of the surface, whether the layers above it end on others.
+std::vector<bool> triangles_outside(const LayerPlan& plan, const SurfaceMesh& surface) {
+  std::vector<bool> is_outside(surface.triangles.size(), false);
+  for (const std::int32_t t : plan.wall) {
+    const std::array<std::int32_t, 3> lines = lines_of(plan, surface, t);
+    is_outside[at(t)] = std::any_of(lines.begin(), lines.end(), [&](std::int32_t l) {
+      return plan.lines[at(l)].end.depth > 0;
+    });
+  }
+  return is_outside;
+}
+
 /// Of each triangle of the surface, whether there are cells above it.
 std::vector<bool> triangles_with_cells(const LayerPlan& plan, const SurfaceMesh& surface) {
   std::vector<bool> has_cells(surface.triangles.size(), false);
@@ -100,10 +118,13 @@ UnlayeredDomain unlayered_domain(const LayerPlan& plan, const SurfaceMesh& surfa
   Subdomain& root = domain.root;
   root.path = path;
   const std::vector<bool> has_cells = triangles_with_cells(plan, surface);
-  const std::vector<bool> is_of_side = triangles_of_sides(plan, surface);
+  std::vector<bool> is_left_out = triangles_of_sides(plan, surface);
+  const std::vector<bool> is_outside = triangles_outside(plan, surface);
+  std::transform(is_left_out.begin(), is_left_out.end(), is_outside.begin(), is_left_out.begin(),
+                 std::logical_or<>());
   BoundaryNodes nodes(surface, plan.lines.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    if (is_of_side[t]) continue;
+    if (is_left_out[t]) continue;
     if (!has_cells[t]) {
       for (const std::int32_t v : surface.triangles[t]) nodes.use_vertex(v);
       continue;
@@ -117,7 +138,7 @@ UnlayeredDomain unlayered_domain(const LayerPlan& plan, const SurfaceMesh& surfa
   nodes.number(plan, owner_of_top, root);
   std::uint32_t top = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    if (is_of_side[t]) continue;
+    if (is_left_out[t]) continue;
     Triangle triangle = surface.triangles[t];
     if (has_cells[t]) {
       const auto [a, b, c] = lines_of(plan, surface, static_cast<std::int32_t>(t));
@@ -140,9 +161,7 @@ UnlayeredDomain unlayered_domain(const LayerPlan& plan, const SurfaceMesh& surfa
     }
   }
   domain.top_triangles = top;
-  domain.top_nodes = std::count_if(plan.lines.begin(), plan.lines.end(), [](const LayerLine& line) {
-    return line.stop > 0 && line.vertices == 0;
-  });
+  domain.top_nodes = std::count_if(plan.lines.begin(), plan.lines.end(), has_top);
   return domain;
 }
 

@@ -17,7 +17,8 @@ namespace tetfarm {
 /// Nodes of the top have the origin {owner_of_top, number}, numbered by the lines that have layers
 /// and whose tops are no vertices of the surface, in their order; its triangles likewise, by the
 /// wall triangles that have cells above them, in the order of `wall`. Triangles keep the order of
-/// the surface; those of the sides of layers are not among them. What is open of fans comes last.
+/// the surface; those of the sides of layers are not among them, nor those above which layers end
+/// on others (LineEnd). What is open of fans comes last.
 struct UnlayeredDomain {
   Subdomain root;
   std::vector<std::int32_t> stands_for;  ///< of each triangle of the root, that of the surface

@@ -29,7 +29,8 @@ void require_closed(const SurfaceMesh& surface, std::span<const std::int32_t> pa
       if (graph.vertex2line[at(v)] < 0) continue;
       throw UsageError("their patches do not close: at " + text_of(surface.vertices[at(v)]) +
                            " they meet \"" + surface.patch_names.at(at(patch_of(surface, t))) +
-                           "\", which is none of them; name all patches of the outer boundary",
+                           "\", which is none of them; name all patches of the outer boundary, or "
+                           "take corners = \"block\" where they are sides of a box",
                        "absorbing layers");
     }
   }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/file_system.h"
 #include "base/hash.h"
 #include "mesh/assemble/mesh_digest.h"
 #include "mesh/core/complaints.h"
@@ -22,7 +23,7 @@ namespace tetfarm {
 struct MeshCheckOptions {
   bool faces = true;  ///< false: faces are not compared, all else is
   std::size_t memory_bytes = std::size_t{256} << 20;
-  std::filesystem::path folder = std::filesystem::temp_directory_path();  ///< for what does not fit
+  std::filesystem::path folder = temporary_folder();  ///< for what does not fit
 };
 
 struct MeshCheckResult {

@@ -4,16 +4,12 @@
 #include <numeric>
 
 #include "base/check.h"
+#include "mesh/geometry/box_measures.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr std::int32_t items_in_leaf = 4;
-
-int longest_axis(const Vec3& size) {
-  if (size.x >= size.y && size.x >= size.z) return 0;
-  return size.y >= size.z ? 1 : 2;
-}
 
 }  // namespace
 
@@ -53,7 +49,7 @@ void BoxForest::build(std::span<const Box3> boxes, std::int32_t first, std::int3
     return;
   }
   nodes_.push_back(node);
-  const int axis = longest_axis(node.box.size());
+  const int axis = longest_axis(node.box);
   const std::int32_t middle = first + (last - first) / 2;
   const auto less = [&](std::int32_t a, std::int32_t b) {
     const double at_a = box_of(a).low[axis] + box_of(a).high[axis];

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mesh/core/vec3.h"
+#include "mesh/geometry/box_measures.h"
 
 namespace tetfarm {
 
@@ -51,16 +52,6 @@ class BoxForest {
     std::int32_t count = 0;
     std::int32_t right = 0;
   };
-  static double distance2_to(const Box3& box, const Vec3& p) {
-    double sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double below = box.low[axis] - p[axis];
-      const double above = p[axis] - box.high[axis];
-      const double away = below > above ? below : above;
-      if (away > 0) sum += away * away;
-    }
-    return sum;
-  }
   template <bool is_any_enough, typename Distance2>
   Nearest search(std::int32_t group, const Vec3& p, double limit2, Distance2&& distance2) const;
   void build(std::span<const Box3> boxes, std::int32_t first, std::int32_t last);
@@ -82,7 +73,7 @@ BoxForest::Nearest BoxForest::search(std::int32_t group, const Vec3& p, double l
   };
   std::array<Waiting, most_depth> stack;
   std::size_t top = 0;
-  stack[top++] = {root, distance2_to(nodes_[static_cast<std::size_t>(root)].box, p)};
+  stack[top++] = {root, distance2_to_box(nodes_[static_cast<std::size_t>(root)].box, p)};
   while (top > 0) {
     const Waiting next = stack[--top];
     if (!(next.distance2 < best.distance2)) continue;
@@ -98,8 +89,8 @@ BoxForest::Nearest BoxForest::search(std::int32_t group, const Vec3& p, double l
     }
     Waiting near{next.node + 1, 0};
     Waiting far{n.right, 0};
-    near.distance2 = distance2_to(nodes_[static_cast<std::size_t>(near.node)].box, p);
-    far.distance2 = distance2_to(nodes_[static_cast<std::size_t>(far.node)].box, p);
+    near.distance2 = distance2_to_box(nodes_[static_cast<std::size_t>(near.node)].box, p);
+    far.distance2 = distance2_to_box(nodes_[static_cast<std::size_t>(far.node)].box, p);
     if (far.distance2 < near.distance2) std::swap(near, far);
     if (far.distance2 < best.distance2) stack[top++] = far;
     if (near.distance2 < best.distance2) stack[top++] = near;

@@ -1,6 +1,7 @@
 #include "mesh/remeshing/changing_surface.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "base/check.h"
@@ -116,6 +117,7 @@ void ChangingSurface::settle(std::int32_t v) {
 }
 
 void ChangingSurface::number_by_place() {
+  tree_ = TriangleOctree(whole_);
   std::vector<Vec3> places;
   std::vector<std::int32_t> used;
   for (std::int32_t v = 0; v < vertex_end(); ++v) {
@@ -126,23 +128,29 @@ void ChangingSurface::number_by_place() {
   std::vector<std::int32_t> order = hilbert_order(places);
   for (std::int32_t& v : order) v = used[static_cast<std::size_t>(v)];
   renumber_vertices(order);
-  std::vector<FaceTriangle> triangles;
-  triangles.reserve(static_cast<std::size_t>(triangle_count_));
-  for (const FaceTriangle& t : triangles_) {
-    if (t.nodes[0] >= 0) triangles.push_back(t);
-  }
-  const auto first_vertices = [](const FaceTriangle& t) {
-    Triangle nodes = t.nodes;
-    std::ranges::sort(nodes);
-    return std::pair(nodes, t.nodes);
-  };
-  std::ranges::sort(triangles, {}, first_vertices);
+  const std::vector<FaceTriangle> triangles = triangles_by_vertex();
   triangles_.clear();
   came_.clear();
   free_triangles_.clear();
   triangle_count_ = 0;
-  tree_ = TriangleOctree(whole_);
   for (const FaceTriangle& t : triangles) add_triangle(t);
+}
+
+/// In the order of their lowest vertices, equals in that of their numbers.
+std::vector<FaceTriangle> ChangingSurface::triangles_by_vertex() const {
+  std::vector<std::size_t> start(vertices_.size() + 1, 0);
+  const auto lowest = [](const FaceTriangle& t) {
+    return static_cast<std::size_t>(std::min({t.nodes[0], t.nodes[1], t.nodes[2]}));
+  };
+  for (const FaceTriangle& t : triangles_) {
+    if (t.nodes[0] >= 0) ++start[lowest(t) + 1];
+  }
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<FaceTriangle> sorted(static_cast<std::size_t>(triangle_count_));
+  for (const FaceTriangle& t : triangles_) {
+    if (t.nodes[0] >= 0) sorted[start[lowest(t)]++] = t;
+  }
+  return sorted;
 }
 
 /// @param order the old numbers in the new order, without those of vertices that are gone.
@@ -187,8 +195,9 @@ std::vector<std::int32_t> ChangingSurface::triangles_on(std::int32_t a, std::int
 void ChangingSurface::find_triangles_on(std::int32_t a, std::int32_t b,
                                         std::vector<std::int32_t>& found) const {
   found.clear();
+  const std::span<const std::int32_t> other = ring(b);
   for (const std::int32_t t : ring(a)) {
-    if (has_corner(triangle(t).nodes, b)) found.push_back(t);
+    if (std::ranges::find(other, t) != other.end()) found.push_back(t);
   }
   std::ranges::sort(found);
 }

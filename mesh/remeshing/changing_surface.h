@@ -40,11 +40,6 @@ struct SurfaceVertex {
   bool has_moved = false;  ///< since then
   /// When it was last found to be in its place, by ChangingSurface::now().
   std::uint64_t settled = 0;
-  /// A cube, its middle and half its edge, in which nothing but the even surroundings of the vertex
-  /// was found; 0: not known.
-  Vec3 alone_at = {};
-  double alone_reach = 0;
-  std::uint8_t crowded = 0;  ///< how often something else was found
 };
 
 class ChangingSurface {
@@ -67,7 +62,7 @@ class ChangingSurface {
 
   /// Numbers vertices and triangles anew, those near each other alike, so that what is worked on
   /// together lies together in memory. What has changed when is forgotten: all counts as changed.
-  /// Cost: O(n log n).
+  /// Cost: O(n).
   void number_by_place();
 
   /// The number of changes up to now.
@@ -115,6 +110,7 @@ class ChangingSurface {
 
  private:
   void note_change(const Triangle& nodes);
+  std::vector<FaceTriangle> triangles_by_vertex() const;
   void renumber_vertices(const std::vector<std::int32_t>& order);
 
   Box3 whole_;

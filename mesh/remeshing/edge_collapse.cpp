@@ -134,8 +134,7 @@ bool collapse_edge(RemeshingWork& work, std::int32_t gone, std::int32_t kept, do
   if (worst_shape(surface, work.replacement.made) < least) return false;
   if (surface.vertex(gone).kind == VertexKind::on_curve && !curve_allows(work, gone, kept))
     return false;
-  if (!leaves_near(work, gone) || !lies_on_input(work, kept) || !meets_nothing(work, kept))
-    return false;
+  if (!leaves_near(work, gone) || !lies_on_input(work, kept) || !meets_nothing(work)) return false;
   replace(work);
   surface.remove_vertex(gone);
   return true;

@@ -74,7 +74,7 @@ bool flip_edge(RemeshingWork& work, std::int32_t a, std::int32_t b, FlipFor want
   if (!helps) return false;
   if (surface.has_edge(c, d)) return false;
   // The new edge runs from c in one of the two, so its middle is looked at.
-  if (!lies_on_input(work, c) || !meets_nothing(work, c)) return false;
+  if (!lies_on_input(work, c) || !meets_nothing(work)) return false;
   replace(work);
   return true;
 }

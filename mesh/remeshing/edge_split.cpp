@@ -90,15 +90,13 @@ bool split_edge(RemeshingWork& work, std::int32_t a, std::int32_t b) {
                                           : middle_of_face(work, a, b, on, middle);
   if (!found) return false;
   found->vertex.spacing = work.spacing.at(found->at);
-  found->vertex.alone_at = surface.vertex(a).alone_at;
-  found->vertex.alone_reach = surface.vertex(a).alone_reach;
   const std::int32_t m = surface.add_vertex(found->at, found->vertex);
   make_halves(work, on, a, b, m);
   work.replacement.fills_hole = !surface.is_feature(on.front(), a, b);
-  bool may_be = lies_on_input(work, m) && meets_nothing(work, m);
+  bool may_be = lies_on_input(work, m) && meets_nothing(work);
   if (!may_be && !(found->at == middle)) {
     surface.move_vertex(m, middle);
-    may_be = meets_nothing(work, m);
+    may_be = meets_nothing(work);
   }
   if (may_be) {
     replace(work);

@@ -19,6 +19,8 @@ constexpr double least_height_share = 1e-5;
 /// Off a plane by less than this share of the size of the whole is rounding, also of files with
 /// single precision.
 constexpr double plane_share = 1e-7;
+/// Rounding does not make a distance so many times as large.
+constexpr double sure_factor = 1 + 1e-6;
 
 TrianglePoints corners_of(const SurfaceMesh& surface, std::size_t triangle) {
   return triangle_points(surface.vertices, surface.triangles[triangle]);
@@ -109,6 +111,7 @@ InputShape::InputShape(const SurfaceMesh& surface, const SurfaceFeatures& featur
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     normals_.push_back(sure_normal(corners_of(surface, t), least_height_share));
   }
+  cones_ = NormalCones(surface, normals_);
   const double size = norm(bounding_box(surface.vertices).size());
   planes_ = planes_of(surface, features, plane_share * size);
   triangles_ = BoxForest(triangle_boxes(surface.vertices, surface.triangles), features.face,
@@ -135,20 +138,27 @@ std::optional<InputFoot> InputShape::on_face(std::int32_t face, const Vec3& p, c
 }
 
 std::int32_t InputShape::near_on_face(std::int32_t face, const Vec3& p, const Vec3& normal,
-                                      double least_cosine, double limit, std::int32_t guess) const {
+                                      double least_cosine, double limit,
+                                      std::span<const std::int32_t> guesses) const {
   const auto distance2 = [&](std::int32_t t) {
     const Vec3& of = normals_[static_cast<std::size_t>(t)];
     if (dot(of, normal) < least_cosine && norm2(of) > 0) {
       return std::numeric_limits<double>::infinity();
     }
     const TrianglePoints c = corners_of(surface_, static_cast<std::size_t>(t));
-    const double d2 = distance2_to_triangle(p, c[0], c[1], c[2]);
     const double own_limit = share_at(t) * limit;
+    // Most that are too far away are told by their plane.
+    if (std::abs(dot(of, p - c[0])) > sure_factor * own_limit) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const double d2 = distance2_to_triangle(p, c[0], c[1], c[2]);
     return d2 < own_limit * own_limit ? d2 : std::numeric_limits<double>::infinity();
   };
   const double limit2 = limit * limit;
-  const bool is_of_face = guess >= 0 && features_.face[static_cast<std::size_t>(guess)] == face;
-  if (is_of_face && distance2(guess) < limit2) return guess;
+  for (const std::int32_t guess : guesses) {
+    const bool is_of_face = guess >= 0 && features_.face[static_cast<std::size_t>(guess)] == face;
+    if (is_of_face && distance2(guess) < limit2) return guess;
+  }
   return triangles_.near(face, p, limit2, distance2).item;
 }
 

@@ -8,11 +8,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mesh/core/surface_mesh.h"
 #include "mesh/remeshing/box_forest.h"
 #include "mesh/remeshing/feature_curves.h"
+#include "mesh/remeshing/normal_cones.h"
 #include "mesh/remeshing/surface_features.h"
 
 namespace tetfarm {
@@ -26,7 +28,7 @@ struct InputFoot {
 class InputShape {
  public:
   /// @param shares of the tolerance, of each triangle (shares_of_tolerance). @pre surface and
-  /// features outlive this. Cost: O(n log n), some 160 bytes a triangle.
+  /// features outlive this. Cost: O(n log n), some 240 bytes a triangle.
   InputShape(const SurfaceMesh& surface, const SurfaceFeatures& features,
              std::vector<double> shares);
 
@@ -36,8 +38,10 @@ class InputShape {
                                    double limit, std::int32_t guess) const;
   /// A triangle of the face that is nearer to p than its share of `limit` and whose normal, unless
   /// it has no sure direction, has at least this cosine with `normal`; -1: none.
+  /// `guesses`: triangles likely to be near, or -1; they are looked at first.
   std::int32_t near_on_face(std::int32_t face, const Vec3& p, const Vec3& normal,
-                            double least_cosine, double limit, std::int32_t guess) const;
+                            double least_cosine, double limit,
+                            std::span<const std::int32_t> guesses) const;
   /// The nearest point of the curve, when it is nearer than `limit`.
   std::optional<InputFoot> on_curve(std::int32_t curve, const Vec3& p, double limit,
                                     std::int32_t guess) const;
@@ -63,6 +67,12 @@ class InputShape {
   const Vec3& normal(std::int32_t triangle) const {
     return normals_[static_cast<std::size_t>(triangle)];
   }
+  /// Whether all of the input in the box, of whatever face, looks much the same way as `way`, of
+  /// unit length: a cosine above `least_cosine`. Never where sheets lie between regions, as they
+  /// may look either way.
+  bool looks_one_way(const Box3& box, const Vec3& way, double least_cosine) const {
+    return surface_.sides.empty() && cones_.all_look(surface_, normals_, box, way, least_cosine);
+  }
   /// The normal of a face all of whose vertices lie in one plane, to rounding of the coordinates.
   const std::optional<Vec3>& plane(std::int32_t face) const {
     return planes_[static_cast<std::size_t>(face)];
@@ -80,6 +90,7 @@ class InputShape {
   std::vector<double> shares_;
   std::vector<double> edge_shares_;
   std::vector<std::optional<Vec3>> planes_;
+  NormalCones cones_;
   BoxForest triangles_;  ///< grouped by face
   BoxForest edges_;      ///< grouped by curve
   BoxForest all_edges_;

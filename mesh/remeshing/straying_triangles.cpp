@@ -29,14 +29,18 @@ bool strays(const RemeshingWork& work, const FaceTriangle& t, double tolerance) 
   if (work.shape.plane(t.face)) return false;
   const TrianglePoints c = work.surface.points(t.nodes);
   const Vec3 normal = normalized(doubled_area(c));
-  std::int32_t below = -1;
+  std::array<std::int32_t, 4> guesses{-1, -1, -1, -1};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SurfaceVertex& vertex = work.surface.vertex(t.nodes[k]);
+    if (vertex.kind == VertexKind::smooth) guesses[k + 1] = vertex.foot;
+  }
   for (int i = 0; i <= parts; ++i) {
     for (int j = 0; i + j <= parts; ++j) {
       const std::array<int, 3> shares{parts - i - j, i, j};
       if (is_on_feature(t, shares)) continue;
       const Vec3 p = (shares[0] * c[0] + shares[1] * c[1] + shares[2] * c[2]) / parts;
-      below = work.shape.near_on_face(t.face, p, normal, any_cosine, tolerance, below);
-      if (below < 0) return true;
+      guesses[0] = work.shape.near_on_face(t.face, p, normal, any_cosine, tolerance, guesses);
+      if (guesses[0] < 0) return true;
     }
   }
   return false;

@@ -1,6 +1,7 @@
 #include "mesh/remeshing/surface_replacement.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "base/check.h"
@@ -20,12 +21,10 @@ constexpr double surely_not_flat = 1e-6;
 /// Cosine of the angle between normals, 25 degrees, up to which neighbours do not fold.
 constexpr double even_cosine = 0.9;
 
-/// Round a vertex that is alone, for so many spacings each way, no normal differs from that of the
-/// triangles made by more than 60 degrees.
-constexpr double alone_spacings = 1.8;
-/// How often a vertex that is not alone is asked whether it is.
-constexpr std::uint8_t most_looks_round = 2;
-constexpr double alone_cosine = -0.3;
+/// Cosine of the angle, 72 degrees, by which no part of the input near a change may turn away from
+/// it, for nothing else to be there; and how near that is, in tolerances of the work.
+constexpr double alone_cosine = 0.3;
+constexpr double tolerances_around = 2;
 
 constexpr double sqrt_3 = 1.7320508075688772;
 
@@ -40,22 +39,23 @@ bool lies_on_input(const RemeshingWork& work, const FaceTriangle& t, std::int32_
   if (const std::optional<Vec3>& plane = work.shape.plane(t.face)) {
     return dot(normal, *plane) > plane_cosine;
   }
-  std::int32_t guess = -1;
-  for (const std::int32_t v : t.nodes) {
-    const SurfaceVertex& vertex = work.surface.vertex(v);
+  std::array<std::int32_t, 4> guesses{-1, -1, -1, -1};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SurfaceVertex& vertex = work.surface.vertex(t.nodes[k]);
     if (vertex.kind != VertexKind::smooth) continue;
-    guess = vertex.foot;
+    const std::int32_t guess = guesses[k + 1] = vertex.foot;
     // Where walls are near each other, what lies under a triangle that is folded over may be the
     // other wall, which looks the same way.
     if (guess >= 0 && turns_away(work.shape.normal(guess), normal)) return false;
   }
   const std::int32_t below = work.shape.near_on_face(t.face, (c[0] + c[1] + c[2]) / 3.0, normal,
-                                                     curved_cosine, work.tolerance, guess);
+                                                     curved_cosine, work.tolerance, guesses);
   if (below < 0) return false;
+  guesses[0] = below;
   const std::size_t k = corner_of(t.nodes, hub);
   if (is_feature_side(t, k)) return true;
   const Vec3 middle = 0.5 * (c[k] + c[(k + 1) % 3]);
-  return work.shape.near_on_face(t.face, middle, normal, 0, work.tolerance, below) >= 0;
+  return work.shape.near_on_face(t.face, middle, normal, 0, work.tolerance, guesses) >= 0;
 }
 
 /// The mean normal of what is made, where all of it is nearly across it.
@@ -113,42 +113,14 @@ bool meets_none_near(RemeshingWork& work, const Box3& all, const std::optional<V
   });
 }
 
-bool is_within(const Box3& box, const SurfaceVertex& hub) {
-  const Vec3 reach{hub.alone_reach, hub.alone_reach, hub.alone_reach};
-  const Vec3 low = hub.alone_at - reach;
-  const Vec3 high = hub.alone_at + reach;
-  return hub.alone_reach > 0 && low.x <= box.low.x && low.y <= box.low.y && low.z <= box.low.z &&
-         box.high.x <= high.x && box.high.y <= high.y && box.high.z <= high.z;
-}
-
-/// Whether a cube round the hub, which holds the box, has in it nothing but triangles of the hub's
-/// face that look much the same way; notes it at the vertex.
-bool is_alone(RemeshingWork& work, std::int32_t hub, const Box3& box, const Vec3& normal) {
-  ChangingSurface& surface = work.surface;
-  SurfaceVertex wide = surface.vertex(hub);
-  wide.alone_at = surface.at(hub);
-  wide.alone_reach = alone_spacings * wide.spacing;
-  if (wide.crowded >= most_looks_round || !is_within(box, wide)) return false;
-  const Vec3 reach{wide.alone_reach, wide.alone_reach, wide.alone_reach};
-  Box3 cube;
-  cube.add(wide.alone_at - reach);
-  cube.add(wide.alone_at + reach);
-  work.near.clear();
-  surface.tree().query(cube, [&work](std::int32_t t) { work.near.push_back(t); });
-  const bool is_alone = std::ranges::all_of(work.near, [&](std::int32_t t) {
-    const FaceTriangle& other = surface.triangle(t);
-    if (std::ranges::find(work.replacement.removed, t) != work.replacement.removed.end()) {
-      return true;
-    }
-    const Vec3 area = doubled_area(surface.points(other.nodes));
-    return dot(area, normal) > alone_cosine * norm(area);
-  });
-  if (is_alone) {
-    surface.vertex(hub) = wide;
-  } else {
-    ++surface.vertex(hub).crowded;
-  }
-  return is_alone;
+/// Whether the input near the box looks one way. What is remeshed lies near it and looks as it
+/// does: nothing there folds over, and there is no other wall.
+bool is_alone(const RemeshingWork& work, const Box3& box, const Vec3& normal) {
+  const double reach = tolerances_around * work.tolerance;
+  Box3 wider;
+  wider.add(box.low - Vec3{reach, reach, reach});
+  wider.add(box.high + Vec3{reach, reach, reach});
+  return work.shape.looks_one_way(wider, normal, alone_cosine);
 }
 
 }  // namespace
@@ -198,7 +170,7 @@ bool lies_on_input(const RemeshingWork& work, std::int32_t hub) {
                              [&](const FaceTriangle& t) { return lies_on_input(work, t, hub); });
 }
 
-bool meets_nothing(RemeshingWork& work, std::int32_t hub) {
+bool meets_nothing(RemeshingWork& work) {
   const ChangingSurface& surface = work.surface;
   const SurfaceReplacement& change = work.replacement;
   const bool is_simple = change.fills_hole && !work.is_strict;
@@ -213,7 +185,7 @@ bool meets_nothing(RemeshingWork& work, std::int32_t hub) {
   }
   const std::optional<Vec3> common = is_simple ? common_normal(work) : std::nullopt;
   if (!common) return !meet_each_other(work) && meets_none_near(work, all, common);
-  if (is_within(all, surface.vertex(hub)) || is_alone(work, hub, all, *common)) return true;
+  if (is_alone(work, all, *common)) return true;
   return meets_none_near(work, all, common);
 }
 

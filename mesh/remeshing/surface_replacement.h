@@ -65,9 +65,9 @@ bool lies_on_input(const RemeshingWork& work, std::int32_t hub);
 /// and edges that both have. Unless the work is strict, two things are taken for granted: that in a
 /// plane what fills a hole and is nowhere turned over meets nothing, and that neighbours whose
 /// normals differ by less than 25 degrees from those made do not fold over them; and a third, that
-/// nothing new has come to where `hub`, a vertex of each triangle made, was found to be alone.
+/// nothing else is where the input looks one way.
 /// @pre lies_on_input.
-bool meets_nothing(RemeshingWork& work, std::int32_t hub);
+bool meets_nothing(RemeshingWork& work);
 
 /// Makes the change. @pre it may be made.
 void replace(RemeshingWork& work);

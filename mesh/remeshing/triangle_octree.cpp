@@ -1,6 +1,7 @@
 #include "mesh/remeshing/triangle_octree.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.h"
 
@@ -12,18 +13,35 @@ double longest_side(const Box3& box) {
   return std::max({size.x, size.y, size.z});
 }
 
+/// More than single precision rounds off.
+constexpr float rounding_share = 1.0F / (1 << 22);
+
+float rounded_down(double x) {
+  const auto near = static_cast<float>(x);
+  return near - rounding_share * std::fabs(near);
+}
+
+float rounded_up(double x) { return -rounded_down(-x); }
+
 }  // namespace
 
 TriangleOctree::TriangleOctree(const Box3& whole) {
   const double side = longest_side(whole);
-  root_ = {whole.centre(), side > 0 ? 0.5 * side : 1};
+  cells_[0].place = {whole.centre(), side > 0 ? 0.5 * side : 1};
+}
+
+TriangleOctree::RoughBox TriangleOctree::rough(const Box3& box) const {
+  const Vec3 low = box.low - cells_[0].place.centre;
+  const Vec3 high = box.high - cells_[0].place.centre;
+  return {{rounded_down(low.x), rounded_down(low.y), rounded_down(low.z)},
+          {rounded_up(high.x), rounded_up(high.y), rounded_up(high.z)}};
 }
 
 std::int32_t TriangleOctree::cell_for(const Box3& box) {
   const double side = longest_side(box);
   const Vec3 middle = box.centre();
   std::int32_t cell = 0;
-  Place place = root_;
+  Place place = cells_[0].place;
   // A child's edge is the half of its parent.
   for (int level = 0; level < most_levels && place.half >= side; ++level) {
     const std::size_t child = (middle.x >= place.centre.x ? 1U : 0U) +
@@ -33,13 +51,15 @@ std::int32_t TriangleOctree::cell_for(const Box3& box) {
     if (below < 0) {
       below = static_cast<std::int32_t>(cells_.size());
       cells_[static_cast<std::size_t>(cell)].children[child] = below;
-      cells_.emplace_back().parent = cell;
+      Cell& made = cells_.emplace_back();
+      made.parent = cell;
+      made.place = child_place(place, child);
     }
     cell = below;
-    place = child_place(place, child);
+    place = cells_[static_cast<std::size_t>(cell)].place;
   }
   // Rounding, and what lies outside the root: its cells do not hold it.
-  if (!meets(place, box)) return 0;
+  if (!holds(place, box)) return 0;
   return cell;
 }
 
@@ -52,23 +72,42 @@ void TriangleOctree::add(std::int32_t id, const Box3& box) {
 
 void TriangleOctree::move(std::int32_t id, const Box3& box) {
   Entry& entry = entries_[static_cast<std::size_t>(id)];
-  const std::int32_t cell = cell_for(box);
-  if (cell == entry.cell) {
-    entry.box = box;
+  TF_CHECK(entry.cell >= 0);
+  // The root has what no other cell holds.
+  if (entry.cell > 0 && holds(cells_[static_cast<std::size_t>(entry.cell)].place, box)) {
+    entry.box = rough(box);
+    widen(entry.cell, entry.box);
     return;
   }
   remove(id);
-  put(id, box, cell);
+  put(id, box, cell_for(box));
+}
+
+/// The hulls of the cell and of those above it hold the box.
+void TriangleOctree::widen(std::int32_t cell, const RoughBox& box) {
+  for (std::int32_t c = cell; c >= 0; c = cells_[static_cast<std::size_t>(c)].parent) {
+    RoughBox& hull = cells_[static_cast<std::size_t>(c)].hull;
+    if (hull.holds(box)) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      hull.low[axis] = std::min(hull.low[axis], box.low[axis]);
+      hull.high[axis] = std::max(hull.high[axis], box.high[axis]);
+    }
+  }
 }
 
 void TriangleOctree::put(std::int32_t id, const Box3& box, std::int32_t cell) {
   std::int32_t& first = cells_[static_cast<std::size_t>(cell)].first;
-  entries_[static_cast<std::size_t>(id)] = {box, first, -1, cell};
+  entries_[static_cast<std::size_t>(id)] = {rough(box), first, -1, cell};
   if (first >= 0) entries_[static_cast<std::size_t>(first)].previous = id;
   first = id;
-  for (std::int32_t c = cell; c >= 0; c = cells_[static_cast<std::size_t>(c)].parent) {
-    ++cells_[static_cast<std::size_t>(c)].count;
+  const RoughBox& made = entries_[static_cast<std::size_t>(id)].box;
+  std::int32_t c = cell;
+  for (; c >= 0; c = cells_[static_cast<std::size_t>(c)].parent) {
+    Cell& above = cells_[static_cast<std::size_t>(c)];
+    if (above.count++ > 0) break;
+    above.hull = made;
   }
+  widen(c, made);
 }
 
 void TriangleOctree::remove(std::int32_t id) {
@@ -81,8 +120,8 @@ void TriangleOctree::remove(std::int32_t id) {
   }
   if (removed.next >= 0)
     entries_[static_cast<std::size_t>(removed.next)].previous = removed.previous;
-  for (std::int32_t c = removed.cell; c >= 0; c = cells_[static_cast<std::size_t>(c)].parent) {
-    --cells_[static_cast<std::size_t>(c)].count;
+  for (std::int32_t c = removed.cell; c >= 0 && --cells_[static_cast<std::size_t>(c)].count == 0;
+       c = cells_[static_cast<std::size_t>(c)].parent) {
   }
   removed.cell = -1;
 }

@@ -24,7 +24,7 @@ VertexPlace try_vertex(RemeshingWork& work, std::int32_t v, const VertexPlace& t
 bool keep_or_put_back(RemeshingWork& work, std::int32_t v, const VertexPlace& before,
                       bool is_wanted) {
   SurfaceVertex& vertex = work.surface.vertex(v);
-  if (is_wanted && lies_on_input(work, v) && meets_nothing(work, v)) {
+  if (is_wanted && lies_on_input(work, v) && meets_nothing(work)) {
     vertex.has_moved = true;
     work.surface.settle(v);
     return true;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "mesh/geometry/box_measures.h"
 
 namespace tetfarm {
 namespace {
@@ -19,25 +20,11 @@ constexpr double rounding_slack = 1e-3;
 constexpr double near_share = 0.25;
 constexpr double far_share = 1;
 
-/// Squared.
-inline double distance2_to(const Box3& box, const Vec3& p) {
-  const double x = std::max(0.0, std::max(box.low.x - p.x, p.x - box.high.x));
-  const double y = std::max(0.0, std::max(box.low.y - p.y, p.y - box.high.y));
-  const double z = std::max(0.0, std::max(box.low.z - p.z, p.z - box.high.z));
-  return x * x + y * y + z * z;
-}
-
 /// Whether what lies that far away, squared, is for certain out of reach, without a root. The slack
 /// is far more than what rounding does to the reach and to what a demand comes to there.
 bool is_beyond(double distance2, double reach) {
   constexpr double slack = 1 + 1e-9;
   return reach < 0 || distance2 > slack * (reach * reach);
-}
-
-int widest_axis(const Box3& box) {
-  const Vec3 size = box.size();
-  if (size.x >= size.y && size.x >= size.z) return 0;
-  return size.y >= size.z ? 1 : 2;
 }
 
 }  // namespace
@@ -65,7 +52,7 @@ void DemandTree::split(std::size_t node) {
     here.least_apex = std::min(here.least_apex, demand.spacing - growth_ * demand.plateau);
   }
   if (here.end - here.begin > leaf_size) {
-    const int axis = widest_axis(here.box);
+    const int axis = longest_axis(here.box);
     const std::uint32_t middle = here.begin + (here.end - here.begin) / 2;
     const auto first = demands_.begin();
     std::nth_element(
@@ -90,7 +77,7 @@ double DemandTree::value(const PointDemand& demand, const Vec3& point, double ra
 
 double DemandTree::bound(const Node& node, const Vec3& point) const {
   return std::max(node.least_spacing,
-                  node.least_apex + growth_ * std::sqrt(distance2_to(node.box, point)));
+                  node.least_apex + growth_ * std::sqrt(distance2_to_box(node.box, point)));
 }
 
 bool DemandTree::may_be_less(const Node& node, double distance2, double radius, double than) const {
@@ -116,13 +103,13 @@ void DemandTree::lower_below(std::uint32_t root, const Vec3& point, double radiu
   };
   std::array<Pending, deepest_stack> stack;
   std::size_t depth = 0;
-  Pending now{root, distance2_to(nodes_[root].box, point)};
+  Pending now{root, distance2_to_box(nodes_[root].box, point)};
   while (true) {
     const Node& node = nodes_[now.node];
     if (may_be_less(node, now.distance2, radius, best)) {
       if (node.children != 0) {
-        now = {node.children, distance2_to(nodes_[node.children].box, point)};
-        Pending far{node.children + 1, distance2_to(nodes_[node.children + 1].box, point)};
+        now = {node.children, distance2_to_box(nodes_[node.children].box, point)};
+        Pending far{node.children + 1, distance2_to_box(nodes_[node.children + 1].box, point)};
         if (far.distance2 < now.distance2) std::swap(now, far);
         TF_CHECK(depth < stack.size());
         stack[depth++] = far;

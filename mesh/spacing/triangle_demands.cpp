@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "mesh/geometry/box_measures.h"
 #include "mesh/geometry/nearest_point.h"
 
 namespace tetfarm {
@@ -22,19 +23,6 @@ bool is_positive(double x) { return x > 0 && std::isfinite(x); }
 
 Vec3 middle_of(const TriangleDemand& demand) {
   return demand.corners[0] + demand.corners[1] + demand.corners[2];
-}
-
-int longest_axis(const Box3& box) {
-  const Vec3 size = box.size();
-  if (size.x >= size.y && size.x >= size.z) return 0;
-  return size.y >= size.z ? 1 : 2;
-}
-
-double distance_to_box(const Box3& box, const Vec3& p) {
-  const double x = std::max(0.0, std::max(box.low.x - p.x, p.x - box.high.x));
-  const double y = std::max(0.0, std::max(box.low.y - p.y, p.y - box.high.y));
-  const double z = std::max(0.0, std::max(box.low.z - p.z, p.z - box.high.z));
-  return std::sqrt(x * x + y * y + z * z);
 }
 
 }  // namespace
@@ -100,7 +88,7 @@ void TriangleDemandTree::split(std::size_t node) {
 
 double TriangleDemandTree::bound(const Node& node, const Vec3& point, double radius) const {
   const double beyond =
-      distance_to_box(node.box, point) - radius - triangle_plateau * node.most_spacing;
+      std::sqrt(distance2_to_box(node.box, point)) - radius - triangle_plateau * node.most_spacing;
   return bound_slack * (node.least_spacing + node.least_growth * std::max(0.0, beyond));
 }
 

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <set>
 
 #include "base/error.h"
@@ -164,6 +165,36 @@ TEST(FileSystem, makes_folders_and_removes_files_also_when_that_is_done) {
   remove_file(folder.path() / "a" / "nothing");
   write_file_atomically(folder.path() / "file", "");
   EXPECT_THROW(make_folders(folder.path() / "file" / "c"), IoError);
+}
+
+TEST(FileSystem, a_file_that_cannot_be_written_is_told_by_its_own_name) {
+  const TempFolder folder;
+  const auto path = folder.path() / "none" / "a.stl";
+  try {
+    write_file_atomically(path, "x");
+    ADD_FAILURE();
+  } catch (const IoError& error) {
+    EXPECT_EQ(error.what(), path.string() + ": cannot open: No such file or directory");
+  }
+}
+
+TEST(FileSystem, a_folder_of_temporary_files_that_is_not_there_is_told_with_the_variable) {
+  const TempFolder folder;
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before != nullptr ? before : "";
+  ::setenv("TMPDIR", "/nowhere/at/all", 1);
+  try {
+    temporary_folder();
+    ADD_FAILURE();
+  } catch (const IoError& error) {
+    EXPECT_EQ(
+        std::string(error.what()),
+        "/nowhere/at/all: cannot put temporary files there, where $TMPDIR wants them: No such "
+        "file or directory");
+  }
+  ::setenv("TMPDIR", folder.path().c_str(), 1);
+  EXPECT_EQ(temporary_folder(), folder.path());
+  before != nullptr ? ::setenv("TMPDIR", kept.c_str(), 1) : ::unsetenv("TMPDIR");
 }
 
 TEST(FileSystem, temporary_names_are_never_the_same) {

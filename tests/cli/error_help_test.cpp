@@ -69,6 +69,15 @@ TEST(ErrorHelp, of_a_failure_says_where_the_logs_are_and_how_to_go_on) {
   EXPECT_EQ(help_of(ExitCode::out_of_resources, "export"), "make room, then try again");
 }
 
+TEST(ErrorHelp, of_a_path_that_is_barred_sends_to_the_path_and_not_to_logs_that_are_not_there) {
+  for (const int number : {EACCES, EPERM, EROFS, ENOTDIR, EISDIR, ENAMETOOLONG}) {
+    EXPECT_EQ(help_for(IoError("cannot create the folder", "out", number), "run"),
+              "check the path, and what you may read and write there")
+        << number;
+  }
+  EXPECT_EQ(help_for(IoError("cannot read", "out", EIO), "run"), help_of(ExitCode::failed, "run"));
+}
+
 TEST(ErrorHelp, of_an_error_that_has_its_own_is_that_one) {
   EXPECT_EQ(help_for(ErrorWithHelp(ExitCode::usage, "message", "do this"), "run"), "do this");
   EXPECT_EQ(help_for(ErrorWithHelp(ExitCode::usage, "message", ""), "run"), "");

@@ -191,7 +191,7 @@ TEST(JobInput, says_what_is_wrong_with_an_option) {
   EXPECT_EQ(with([](RunOptions& options) { options.layers = {"wing:frist=1"}; }),
             "--layers 'wing:frist=1': unknown key `frist`; did you mean `first`?");
   EXPECT_EQ(with([](RunOptions& options) { options.formats = {"su3"}; }),
-            "--format su3: unknown format; did you mean su2?");
+            "--format su3: unknown format; did you mean `su2`?");
   EXPECT_THAT(refusal(of_surface("wing.xyz")), HasSubstr("unsupported file type `.xyz`"));
 }
 

@@ -81,7 +81,23 @@ TEST(OptionChecks, no_path_of_any_command_may_be_empty) {
   EXPECT_EQ(complaint_of({"--name", ""}), "");
   EXPECT_EQ(complaint_of({"x", "-o", "y"}), "");
   EXPECT_EQ(complaint_of({"-o", ""}), "--output: must not be empty");
+  EXPECT_EQ(complaint_of({"-o="}), "--output: must not be empty");
   EXPECT_EQ(complaint_of({""}), "INPUT: must not be empty");
+}
+
+TEST(OptionChecks, an_output_after_an_equals_sign_is_the_output_without_it) {
+  for (const std::vector<const char*>& words : {std::vector<const char*>{"x", "-o", "out"},
+                                                {"x", "-o=out"},
+                                                {"x", "-oout"},
+                                                {"x", "--output=out"},
+                                                {"x", "--output", "out"}}) {
+    CLI::App app;
+    std::string output;
+    app.add_option("-o,--output", output, "");
+    refuse_empty_paths(app);
+    app.parse(static_cast<int>(words.size()), words.data());
+    EXPECT_EQ(output, "out") << words[1];
+  }
 }
 
 }  // namespace

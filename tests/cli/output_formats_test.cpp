@@ -22,7 +22,7 @@ TEST(OutputFormats, are_known_and_named_once) {
   EXPECT_EQ(refusal_of({}), "");
   EXPECT_EQ(refusal_of({"vtkhdf", "lb8.ugrid", "su2", "openfoam"}), "");
   EXPECT_EQ(refusal_of({"su2", "vtkhdf", "su2"}), "--format su2: is given twice");
-  EXPECT_EQ(refusal_of({"vtkhdf", "su3"}), "--format su3: unknown format; did you mean su2?");
+  EXPECT_EQ(refusal_of({"vtkhdf", "su3"}), "--format su3: unknown format; did you mean `su2`?");
   EXPECT_THAT(refusal_of({"something"}),
               StartsWith("--format something: unknown format; known are vtkhdf, lb8.ugrid, "));
 }

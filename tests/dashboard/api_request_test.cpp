@@ -30,8 +30,18 @@ TEST(ApiRequest, names_the_job_task_or_worker_of_its_path) {
   EXPECT_EQ(asked("/api/v1/jobs/job-7/surfaces").subject, ApiSubject::surfaces);
   EXPECT_EQ(asked("/api/v1/jobs/job-7/surfaces/12").number, 12U);
   EXPECT_EQ(asked("/api/v1/jobs/job-7/surfaces/12").job, "job-7");
+  EXPECT_EQ(asked("/api/v1/jobs/job-7/maps").subject, ApiSubject::maps);
+  EXPECT_EQ(asked("/api/v1/jobs/job-7/maps/2?triangles=64").number, 2U);
   EXPECT_EQ(asked("/api/v1/workers/worker-3/drain", "POST").number, 3U);
   EXPECT_EQ(asked("/api/v1/workers/3/drain", "POST").subject, ApiSubject::drain_worker);
+}
+
+TEST(ApiRequest, names_a_host_by_any_text) {
+  EXPECT_EQ(asked("/api/v1/hosts/node-7.farm/retry", "POST").host, "node-7.farm");
+  EXPECT_EQ(asked("/api/v1/hosts/a%2Fb%20c/retry", "POST").host, "a/b c");
+  EXPECT_EQ(refusal("/api/v1/hosts//retry", "POST"), 404);
+  EXPECT_EQ(refusal("/api/v1/hosts/" + std::string(256, 'x') + "/retry", "POST"), 404);
+  EXPECT_EQ(refusal("/api/v1/hosts/a/b/retry", "POST"), 404);
 }
 
 TEST(ApiRequest, reads_the_parameters_of_a_table) {
@@ -52,6 +62,17 @@ TEST(ApiRequest, asks_for_triangles_by_powers_of_two_so_that_answers_serve_many)
   EXPECT_EQ(asked(surface + "?triangles=1").triangles, 1U);
   EXPECT_EQ(asked(surface + "?triangles=2047").triangles, 1'024U);
   EXPECT_EQ(asked(surface + "?triangles=131072").triangles, most_shown_triangles);
+}
+
+TEST(ApiRequest, a_priority_is_a_whole_number_that_has_to_be_said) {
+  const std::string priority = "/api/v1/jobs/job-1/priority";
+  EXPECT_EQ(asked(priority + "?priority=10", "POST").priority, 10);
+  EXPECT_EQ(asked(priority + "?priority=-1000", "POST").priority, -highest_priority);
+  for (const char* wrong : {"", "?", "?priority=", "?priority=-", "?priority=1001",
+                            "?priority=-1001", "?priority=--1", "?priority=1.5", "?last=1"}) {
+    EXPECT_EQ(refusal(priority + wrong, "POST"), 400) << wrong;
+  }
+  EXPECT_EQ(refusal("/api/v1/jobs/job-1/cancel?priority=1", "POST"), 400);
 }
 
 TEST(ApiRequest, is_refused_where_a_parameter_is_unknown_or_out_of_bounds) {
@@ -101,8 +122,10 @@ TEST(ApiRequest, of_another_method_is_told_so) {
 TEST(ApiRequest, acts_only_with_post) {
   for (const std::string& path : api_paths()) {
     std::string target = path.substr(path.find(' ') + 1);
-    for (const auto& [word, name] : {std::pair{"JOB", "job-1"}, std::pair{"TASK", "1"},
-                                     std::pair{"WORKER", "1"}, std::pair{"SUBDOMAIN", "1"}}) {
+    if (target.ends_with("/priority")) target += "?priority=1";
+    for (const auto& [word, name] :
+         {std::pair{"JOB", "job-1"}, std::pair{"TASK", "1"}, std::pair{"WORKER", "1"},
+          std::pair{"SUBDOMAIN", "1"}, std::pair{"MAP", "1"}, std::pair{"HOST", "node"}}) {
       const std::size_t at = target.find(word);
       if (at != std::string::npos) target.replace(at, std::string(word).size(), name);
     }

@@ -98,9 +98,13 @@ class FakeFarm : public FarmSource {
     note("cancel " + name);
     return true;
   }
+  std::string set_priority(const std::string& name, int priority) override {
+    note("priority " + name + " " + std::to_string(priority));
+    return name == "job-404" ? "" : "running";
+  }
   std::uint64_t retry(const wire::Retry& retry) override {
-    note("retry " + retry.job() + " " + std::to_string(retry.task()));
-    return 2;
+    note("retry " + retry.job() + " " + std::to_string(retry.task()) + retry.host());
+    return retry.host().empty() ? 2 : 1;
   }
   std::uint64_t drain(std::uint64_t worker) override {
     note("drain " + std::to_string(worker));

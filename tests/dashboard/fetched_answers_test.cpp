@@ -70,6 +70,26 @@ TEST_F(AnswersOfAFarm, acts_are_done_each_time_and_tell_what_came_of_them) {
   EXPECT_EQ(farm_.times("drain 3"), 1);
 }
 
+TEST_F(AnswersOfAFarm, a_host_is_taken_out_of_quarantine_by_its_name) {
+  ApiRequest request;
+  request.subject = ApiSubject::retry_host;
+  request.host = "node 7";
+  EXPECT_EQ(json_of(ask(request))["count"], 1);
+  EXPECT_EQ(farm_.times("retry  0node 7"), 1);
+}
+
+TEST_F(AnswersOfAFarm, a_job_gets_the_priority_that_is_asked_for) {
+  ApiRequest request;
+  request.subject = ApiSubject::set_priority;
+  request.job = "job-5";
+  request.priority = -7;
+  EXPECT_EQ(json_of(ask(request)),
+            nlohmann::json({{"set", true}, {"priority", -7}, {"state", "running"}}));
+  EXPECT_EQ(farm_.times("priority job-5 -7"), 1);
+  request.job = "job-404";
+  EXPECT_EQ(ask(request).status, 404);
+}
+
 TEST_F(AnswersOfAFarm, a_task_is_retried_as_one_of_its_job) {
   ask(ApiSubject::retry_task, "", 31);
   EXPECT_EQ(farm_.times("retry job-5 31"), 1);

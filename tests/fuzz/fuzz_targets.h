@@ -30,6 +30,10 @@ void plane(std::string_view input);
 /// FLITE's sources: refused with an error of ours, or they may stand in a job file.
 void flite_sources(std::string_view input);
 
+/// A surface of up to 128 triangles: it is mended, what was mended needs no more of it and can be
+/// remeshed; or what is left is told, or it is refused with an error of ours.
+void bodies(std::string_view input);
+
 /// One of the files that tasks read, by the first byte modulo the number of kinds; the checksum is
 /// put right, so that what it guards is reached too.
 void artifact(std::string_view input);

@@ -39,6 +39,10 @@ TEST(FuzzCorpus, job_files_are_refused_or_keep_their_meaning) {
 
 TEST(FuzzCorpus, surfaces_are_refused_or_read) { replay("surface", fuzz::surface); }
 
+TEST(FuzzCorpus, bodies_are_mended_once_and_remeshed_or_what_is_left_is_told) {
+  replay("bodies", fuzz::bodies);
+}
+
 TEST(FuzzCorpus, meshes_are_refused_or_read_and_judged) { replay("mesh", fuzz::mesh); }
 
 TEST(FuzzCorpus, meshes_of_the_plane_are_refused_or_read) { replay("plane", fuzz::plane); }

@@ -109,12 +109,20 @@ TEST_F(DashboardOfADaemon, acts_only_where_it_may_and_only_for_its_own_page) {
   EXPECT_EQ(dashboard.act(cancel, "Host: evil.example\r\n").status, 403);
   EXPECT_EQ(dashboard.get(cancel).status, 405);
   EXPECT_EQ(dashboard.get("/api/v1/jobs/" + job).json()["state"], "running");
+  EXPECT_EQ(dashboard.act("/api/v1/jobs/" + job + "/priority?priority=-7").body,
+            R"({"set":true,"priority":-7,"state":"running"})");
+  EXPECT_TRUE(dashboard.comes_true("/api/v1/jobs/" + job,
+                                   [](const json& seen) { return seen["priority"] == -7; }));
   EXPECT_EQ(dashboard.act(cancel, "Origin: http://localhost\r\n").body, R"({"found":true})");
   EXPECT_EQ(dashboard.act("/api/v1/jobs/job-77/cancel").body, R"({"found":false})");
   EXPECT_TRUE(dashboard.comes_true("/api/v1/jobs/" + job,
                                    [](const json& seen) { return seen["state"] == "cancelled"; }));
   EXPECT_EQ(dashboard.act("/api/v1/tasks/1/retry").body, R"({"count":0})") << "not in quarantine";
   EXPECT_EQ(dashboard.act("/api/v1/workers/9/drain").body, R"({"count":0})");
+  EXPECT_EQ(dashboard.act("/api/v1/hosts/nowhere/retry").body, R"({"count":0})");
+  EXPECT_EQ(dashboard.act("/api/v1/jobs/" + job + "/priority?priority=1").body,
+            R"({"set":false,"priority":1,"state":"cancelled"})");
+  EXPECT_EQ(dashboard.act("/api/v1/jobs/job-77/priority?priority=1").status, 404);
 }
 
 TEST_F(DashboardOfADaemon, drains_a_worker) {

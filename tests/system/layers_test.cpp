@@ -169,6 +169,45 @@ TEST_F(RunWithLayers, grows_absorbing_layers_within_a_box_beside_those_of_the_bo
   EXPECT_EQ(sound("out")["digest"], result["digest"]);
 }
 
+TEST_F(RunWithLayers, grows_absorbing_layers_in_blocks_beside_those_of_the_body) {
+  write_job(
+      "growth = 1\n[domain]\nouter = \"box\"\nfactor = 2\nspacing = 0.5\n"
+      "[[pml]]\npatches = [\"outer\"]\nlayers = 4\nheight = 0.25\ncorners = \"block\"\n");
+  const nlohmann::json result = run("out", 2, 3);
+  ASSERT_FALSE(result.is_null());
+  EXPECT_EQ(result["layers"]["full"], 1280);
+  const nlohmann::json& pml = result["pml"];
+  EXPECT_EQ(pml["thickness"], 1);
+  // 8 edges along each of the 12 of the box.
+  EXPECT_EQ(pml["tets"], 3 * 4 * (6 * 8 * 8 * 2) + 6 * 4 * 4 * (12 * 8) + 6 * 4 * 4 * 4 * 8);
+  EXPECT_EQ(pml["outer_triangles"], 6 * 16 * 16 * 2) << "as on a box of squares that are as large";
+  EXPECT_EQ(result["boundary_triangles"], 1280 + 6 * 16 * 16 * 2);
+  const SurfaceMesh ball = shapes::sphere({0.5, 0.25, 0}, 1, 3);
+  EXPECT_NEAR(result["volume"].get<double>(),
+              6 * 6 * 6 - enclosed_volume(ball.vertices, ball.triangles), 1e-9);
+  EXPECT_EQ(sound("out")["digest"], result["digest"]);
+  EXPECT_EQ(run("again", 1, 3)["digest"], result["digest"]);
+}
+
+/// Its five sides absorb, and the plane ends the layers of both kinds.
+TEST_F(RunWithLayers, carries_on_a_plane_of_symmetry_along_absorbing_blocks) {
+  SurfaceMesh half = shapes::box({-1, 0, -1}, {1, 1, 1}, 6);
+  std::erase_if(half.triangles, [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(),
+                       [&](std::int32_t v) { return half.vertices[at(v)].y == 0; });
+  });
+  test::write_contents(folder_.path() / "ball.off", test::off_of(half));
+  write_job(
+      "[spacing]\ndefault = 0.5\n[domain]\nouter = \"box\"\nfactor = 2\nspacing = 0.5\n"
+      "symmetry = \"y=0\"\n"
+      "[[pml]]\npatches = [\"outer\"]\nlayers = 3\nheight = 0.25\ncorners = \"block\"\n");
+  const nlohmann::json result = run("out", 2, 2);
+  ASSERT_FALSE(result.is_null());
+  const nlohmann::json quality = sound("out");
+  EXPECT_EQ(quality["digest"], result["digest"]);
+  EXPECT_NEAR(result["volume"].get<double>(), 5.5 * 5.5 * 2.75 - 2 * 1 * 2, 1e-9);
+}
+
 TEST_F(RunWithLayers, counts_the_tets_of_absorbing_layers_that_the_command_line_asks_for) {
   std::vector<std::string> words = test::run_words("ball.off", "out", 2, 2);
   words.insert(words.end(), {"--pml", "surface:layers=3,height=0.1", "--size", "0.3"});

@@ -120,6 +120,26 @@ def check_surfaces(address, job):
     print(f"{len(boxes)} surfaces, the domain from {low} to {high}")
 
 
+def check_maps(address, job):
+    """Of a job whose surface was refused: its bad triangles, as docs/api.md says."""
+    base = f"{address}/api/v1/jobs/{job}/maps"
+    told = json.loads(answer(base))
+    expect(told["sees_files"] and len(told["maps"]) == 1, f"{told} has one map")
+    line = told["maps"][0]
+    expect(line["of"] == "defects" and line["is_there"] and line["meanings"] == ["open edge"], f"{line} is of open edges")
+    bad = answer(f"{base}/1")
+    triangles = struct.unpack_from("<I", bad, 16)[0]
+    expect(bad[:8] == b"TFSHOWN\n" and triangles == 3, f"the three neighbours of the hole, not {triangles}")
+    expect(set(bad[-4 * triangles:]) == {0}, "all of the one defect")
+
+
+def surface_with_hole(folder):
+    """All triangles of a surface but the last."""
+    text = (folder / "ball.stl").read_text()
+    last = text.rindex("facet normal")
+    (folder / "open.stl").write_text(text[:last] + text[text.rindex("endsolid"):])
+
+
 def main(program, web):
     if not os.access(CHROMIUM, os.X_OK):
         print(f"no browser at {CHROMIUM}")
@@ -128,11 +148,16 @@ def main(program, web):
         subprocess.run([program, "shape", "sphere-in-box", "-o", "ball.stl"], cwd=folder, check=True, timeout=PATIENCE_S,
                        stdout=subprocess.DEVNULL)
         address = farm.address_of_dashboard()
-        deadline = time.monotonic() + PATIENCE_S
+        deadline = time.monotonic() + 2 * PATIENCE_S
         farm.ask("submit", "ball.stl", "--subdomains", "12")
         while '"state":"running"' in farm.ask("status", "--json") and time.monotonic() < deadline:
             time.sleep(0.5)
         check_surfaces(address, "job-1")
+        surface_with_hole(farm.folder)
+        farm.ask("submit", "open.stl", "--no-check")
+        while '"state":"running"' in farm.ask("status", "--json") and time.monotonic() < deadline:
+            time.sleep(0.5)
+        check_maps(address, "job-2")
         farm.ask("submit", "ball.stl", "--subdomains", "40", "--size", "0.05")
         return subprocess.run(["node", "tests/browser.mjs"], cwd=web, timeout=400,
                               env={**os.environ, "TETFARM_DASHBOARD_URL": address}).returncode

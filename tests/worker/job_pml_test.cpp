@@ -109,5 +109,32 @@ TEST(JobPml, refuses_the_wall_of_a_hole) {
               HasSubstr("bounds a hole in the domain"));
 }
 
+TEST(JobPml, in_blocks_says_what_there_will_be) {
+  const PmlBlock block = pml_blocks_of(pml_job("outer:layers=4,height=0.25,corners=block", "box"),
+                                       ball_in_outer_box());
+  const std::int64_t n = 8;  // edges along one of the box
+  EXPECT_EQ(block.figures.triangles, 12 * (n + 8) * (n + 8));
+  EXPECT_EQ(block.figures.tets, 3 * 4 * 12 * n * n + 6 * 16 * 12 * n + 6 * 64 * 8);
+  EXPECT_EQ(block.figures.thickness, 1);
+}
+
+TEST(JobPml, in_blocks_is_refused_where_its_patch_is_no_side_of_the_box) {
+  JobFile job = pml_job("surface:corners=block", "box");
+  EXPECT_THAT(error_text_of<UsageError>([&] { pml_blocks_of(job, ball_in_outer_box()); }),
+              HasSubstr("take corners = \"mitre\""));
+}
+
+TEST(JobPml, names_a_plane_of_symmetry_only_where_it_is_meant) {
+  JobFile job = pml_job("*", "box");
+  job.symmetry.emplace();
+  SurfaceMesh surface = ball_in_outer_box();
+  surface.patch_names.emplace_back("symmetry");
+  EXPECT_THAT(pml_patches_of(job, surface), ElementsAre(0));
+  job.pml->patches = {"outer"};
+  EXPECT_THAT(pml_patches_of(job, surface), ElementsAre(1));
+  job.pml->patches = {"symmetry"};
+  EXPECT_THAT(pml_patches_of(job, surface), ElementsAre(2));
+}
+
 }  // namespace
 }  // namespace tetfarm

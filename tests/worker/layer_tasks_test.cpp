@@ -325,5 +325,41 @@ TEST_F(LayerTasks, that_absorb_have_their_feet_on_the_inner_side) {
   }
 }
 
+TEST_F(LayerTasks, that_absorb_in_blocks_tell_solvers_by_tags_where_each_cell_is) {
+  JobFile job = job_of(2);
+  job.spacing_default = 0.5;
+  JobPml pml;
+  pml.patches = {"*"};
+  pml.layers = 3;
+  pml.height = 0.125;
+  pml.corners = "block";
+  job.pml = pml;
+  const Vec3 low = {-1, 0, 1};
+  const Vec3 high = {1, 1.5, 2};
+  const wire::Envelope assembled = run(assemble_task, prepared(job, shapes::box(low, high, 4)));
+  ASSERT_TRUE(assembled.has_done()) << assembled.failed().message();
+  expect_sound(assembled, "ball.vtkhdf");
+  const auto mesh = open_mesh(folder_ + "/ball.vtkhdf", folder_);
+  std::map<std::int32_t, int> cells_of_axes;
+  for (std::size_t i = 0; i < mesh->size(); ++i) {
+    const NumberedPart part = mesh->part(i);
+    EXPECT_EQ(cells_of(part), std::ssize(part.tets));
+    for (std::size_t c = 0; c < part.tets.size(); ++c) {
+      Vec3 middle;
+      for (const std::int32_t v : part.tets[c]) middle += 0.25 * part.nodes[at(v)];
+      std::int32_t axes = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        axes |= middle[axis] < low[axis] || middle[axis] > high[axis] ? 1 << axis : 0;
+      }
+      ASSERT_EQ(part.marks[CellMark::pml_axes][c], axes);
+      ASSERT_EQ(part.marks[CellMark::pml_depth][c] > 0, axes > 0);
+      ++cells_of_axes[axes];
+    }
+  }
+  for (const int axis : {1, 2, 4}) EXPECT_EQ(cells_of_axes[axis], 2 * 32 * 3 * 3);
+  for (const int axes : {3, 5, 6}) EXPECT_EQ(cells_of_axes[axes], 4 * 4 * 6 * 3 * 3);
+  EXPECT_EQ(cells_of_axes[7], 8 * 6 * 27);
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -146,7 +146,7 @@ export function App() {
       <ActLayer />
       <footer class="bottom">
         Tetfarm {api?.program_version ?? ''}
-        {api && !api.acts && ' · this page only looks: `tetfarm dashboard --acts` lets it cancel, retry and drain'}
+        {api && !api.acts && ' · this page only looks: `tetfarm dashboard --acts` lets it cancel, retry, drain and set priorities'}
       </footer>
     </>
   );

@@ -7,7 +7,7 @@ import { createServer } from 'node:http';
 import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { makeFarm, pathText } from './mock_farm.mjs';
-import { patches, surfaceOf } from './mock_surfaces.mjs';
+import { mapOf, meaningsOfDefects, patches, surfaceOf } from './mock_surfaces.mjs';
 
 const headers = {
   'Content-Security-Policy':
@@ -22,7 +22,7 @@ const headers = {
 const types = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8', '.css': 'text/css; charset=utf-8', '.svg': 'image/svg+xml' };
 const folder = process.env.TETFARM_WEB_OUT || fileURLToPath(new URL('../dist', import.meta.url));
 
-const lineKeys = ['type', 'job', 'name', 'state', 'stage', 'subdomains', 'subdomains_meshed', 'elements', 'estimated_elements', 'tasks_done',
+const lineKeys = ['type', 'job', 'name', 'state', 'stage', 'priority', 'subdomains', 'subdomains_meshed', 'elements', 'estimated_elements', 'tasks_done',
   'tasks_ready', 'tasks_running', 'tasks_in_quarantine', 'created_ms', 'finished_ms', 'seconds', 'message', 'exit_code', 'share'];
 const lineOf = (job) => Object.fromEntries(lineKeys.map((key) => [key, job[key]]));
 
@@ -123,7 +123,7 @@ export class MockServer {
       if (url.pathname === '/api/v1/changes') return this.watch(response);
       if (url.pathname.startsWith('/api/')) {
         const parts = url.pathname.slice('/api/v1'.length).split('/').filter(Boolean).map(decodeURIComponent);
-        const body = request.method === 'POST' ? this.act(request, parts) : this.look(parts, url.searchParams);
+        const body = request.method === 'POST' ? this.act(request, parts, url.searchParams) : this.look(parts, url.searchParams);
         return this.reply(response, 200, body);
       }
       return this.file(url.pathname, response);
@@ -173,6 +173,7 @@ export class MockServer {
     if (what === 'jobs' && part === 'events') return last(this.farm.events.filter(({ job }) => job === id));
     if (what === 'jobs' && (part === 'tasks' || part === 'attempts')) return this.page(this.jobOf(id)[part], part, query);
     if (what === 'jobs' && part === 'surfaces') return path ? this.surface(id, Number(path)) : this.surfaces(id);
+    if (what === 'jobs' && part === 'maps') return path ? this.map(id, Number(path)) : this.maps(id);
     if (what === 'tasks' && part === 'logs') return { attempts: this.attemptsOf(id).map((attempt) => ({ ...attempt, log: `read 3 files\nmeshed ${attempt.path}\n<script>window.hacked=1</script>\u001b[31mred\n` })) };
     if (what === 'tasks' && id) return this.explain(id);
     if (what === 'workers') return { workers: this.farm.workers.filter(({ state }) => state !== 'gone' || query.get('gone') === '1') };
@@ -206,6 +207,20 @@ export class MockServer {
     return surfaceOf(path);
   }
 
+  /** Of the job that failed and of the one that is done. */
+  maps(id) {
+    const of = { 'job-7': 'defects', 'job-8': 'layers' }[this.jobOf(id).job.job];
+    const meanings = of === 'defects' ? meaningsOfDefects : [];
+    const line = { map: 1, file: `some.${of}.vtp`, of, meanings, hash: `map of ${of}`, bytes: 4000, is_there: this.seesFiles && !this.isMapGone };
+    return { sees_files: this.seesFiles, maps: of ? [line] : [] };
+  }
+
+  map(id, number) {
+    const line = this.maps(id).maps[number - 1];
+    if (!line?.is_there) throw new Fault(404, 'the map is no longer in the store', 'look at another');
+    return mapOf[line.of]();
+  }
+
   attemptsOf(number) {
     return this.taskOf(number).made.attempts.filter(({ task }) => task === Number(number));
   }
@@ -219,7 +234,7 @@ export class MockServer {
     };
   }
 
-  act(request, [what, id, deed]) {
+  act(request, [what, id, deed], query) {
     if (request.headers['x-tetfarm-act'] !== 'yes') throw new Fault(403, 'the header X-Tetfarm-Act is missing', 'send it');
     if (!this.acts) throw new Fault(403, 'this dashboard only looks', 'start it with --acts');
     this.needCoordinator();
@@ -234,11 +249,21 @@ export class MockServer {
       this.changeJob(id, { state: 'running', message: '', quarantine: [], tasks_in_quarantine: 0 });
       return { count };
     }
+    if (what === 'jobs' && deed === 'priority') {
+      const priority = Number(query.get('priority'));
+      this.changeJob(id, { priority });
+      return { set: true, priority, state: this.jobOf(id).job.state };
+    }
     if (what === 'tasks' && deed === 'retry') {
       const { task } = this.taskOf(id);
       const count = task.state === 'failed' ? 1 : 0;
       if (count) task.state = 'ready';
       return { count };
+    }
+    if (what === 'hosts' && deed === 'retry') {
+      const out = this.farm.workers.filter(({ host, host_in_quarantine: isOut }) => host === id && isOut);
+      for (const worker of out) worker.host_in_quarantine = false;
+      return { count: out.length > 0 ? 1 : 0 };
     }
     if (what === 'workers' && deed === 'drain') {
       const worker = this.farm.workers.find((other) => other.worker === id);

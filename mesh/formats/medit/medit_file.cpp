@@ -52,7 +52,7 @@ std::int64_t MeditFile::read_keyword(std::int64_t place) {
 void MeditFile::read_dimension(std::int64_t place) {
   dimension_ = integer_at(place, 4);
   if (dimension_ == 3) return;
-  if (world_ == medit::World::space) file_.fail("the mesh is not three-dimensional", place);
+  if (world_ == medit::World::space) file_.fail(std::string(medit::not_of_space), place);
   if (dimension_ != 2) file_.fail("the dimension is neither 2 nor 3", place);
 }
 

@@ -43,6 +43,9 @@ enum Keyword : std::int32_t {
 /// and fields beside the lists of a mesh in space.
 enum class World { space, plane };
 
+inline constexpr std::string_view not_of_space =
+    "the mesh is not three-dimensional; `tetfarm adapt` takes meshes of the plane";
+
 }  // namespace medit
 
 /// Threads may read at once. Lists of other keywords are passed over.

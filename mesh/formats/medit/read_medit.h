@@ -8,8 +8,8 @@
 
 namespace tetfarm {
 
-/// Triangles with their references as patches, "reference N"; quadrangles are refused, everything
-/// else is passed over.
+/// Triangles, and quadrangles as two triangles each, with their references as patches, "reference
+/// N"; everything else is passed over.
 /// @throws InvalidInput
 SurfaceMesh read_medit(std::string_view bytes, const std::string& name);
 

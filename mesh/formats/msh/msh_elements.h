@@ -18,6 +18,7 @@ struct MshElementType {
 };
 
 inline constexpr std::int64_t msh_triangle = code_of(ElementCodes::msh, ElementType::triangle);
+inline constexpr std::int64_t msh_quad = code_of(ElementCodes::msh, ElementType::quad);
 
 /// Source: Gmsh reference manual, "MSH file format". Nothing for a type that it does not list.
 std::optional<MshElementType> msh_element_type(std::int64_t type);

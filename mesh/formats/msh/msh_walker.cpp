@@ -51,7 +51,12 @@ void MshWalker::walk(MshContent& content) {
 }
 
 void MshWalker::read_format() {
-  in_.expect("$MeshFormat");
+  const std::string_view first = in_.word();
+  if (first == "$NOD") in_.fail("Gmsh format 1 is not supported; save it as 4.1 or 2.2");
+  if (first != "$MeshFormat") {
+    in_.fail("is not a mesh of Gmsh: expected $MeshFormat, found " + quoted(first) +
+             "; Fluent and GiD give their files the ending .msh too");
+  }
   const std::string_view version = in_.word();
   is_version_4_ = version == "4.1";
   if (!is_version_4_ && version != "2" && version != "2.1" && version != "2.2") {

@@ -2,15 +2,17 @@
 
 #include <limits>
 #include <map>
+#include <vector>
 
 #include "mesh/formats/msh/msh_walker.h"
 #include "mesh/formats/patch_names.h"
+#include "mesh/formats/polygon_triangles.h"
 #include "mesh/formats/used_vertices.h"
 
 namespace tetfarm {
 namespace {
 
-/// The triangles, with the names of their physical groups as patches.
+/// The triangles and quadrangles, with the names of their physical groups as patches.
 class SurfaceContent : public MshContent {
  public:
   explicit SurfaceContent(const InputScanner& in) : in_(in) {}
@@ -31,23 +33,24 @@ class SurfaceContent : public MshContent {
     }
   }
   bool wants(const MshElementType& type, std::int64_t number) override {
-    if (type.dimension == 2 && number != msh_triangle) {
-      in_.fail("a " + std::string(type.name) + ": only 3-node triangles are supported");
+    if (type.dimension == 2 && number != msh_triangle && number != msh_quad) {
+      in_.fail("a " + std::string(type.name) +
+               ": only triangles of 3 nodes and quadrangles of 4 are supported");
     }
     return type.dimension == 2;
   }
   void add_element(const MshElement& element) override {
-    Triangle triangle;
-    for (std::size_t k = 0; k < 3; ++k) {
-      triangle[k] = tags_.find(element.nodes[k]);
-      if (triangle[k] < 0) in_.fail("there is no node " + std::to_string(element.nodes[k]));
+    corners_.clear();
+    for (const std::int64_t node : element.nodes) {
+      corners_.push_back(tags_.find(node));
+      if (corners_.back() < 0) in_.fail("there is no node " + std::to_string(node));
     }
     if (surface_.triangles.empty() || element.group != last_group_) {
       last_group_ = element.group;
       last_patch_ = patches_.number_of(patch_name(element.group));
     }
-    surface_.triangles.push_back(triangle);
-    surface_.patch_of_triangle.push_back(last_patch_);
+    const std::size_t triangles = add_polygon(surface_, corners_);
+    surface_.patch_of_triangle.insert(surface_.patch_of_triangle.end(), triangles, last_patch_);
   }
 
   SurfaceMesh take() {
@@ -70,6 +73,7 @@ class SurfaceContent : public MshContent {
   std::map<std::int64_t, std::string> group2name_;
   std::int64_t last_group_ = 0;
   std::int32_t last_patch_ = 0;
+  std::vector<std::int32_t> corners_;  ///< of the element at hand
 };
 
 }  // namespace

@@ -10,7 +10,8 @@
 namespace tetfarm {
 
 /// Points, lines and volume elements are passed over, and so are nodes that no triangle uses.
-/// Quadrangles and triangles of higher order throw. A triangle's patch is its first physical group.
+/// Quadrangles become two triangles each; elements of higher order throw. A triangle's patch is its
+/// first physical group.
 /// @throws InvalidInput
 SurfaceMesh read_msh(std::string_view bytes, const std::string& name);
 

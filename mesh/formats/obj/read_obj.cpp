@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "mesh/formats/input_scanner.h"
 #include "mesh/formats/patch_names.h"
+#include "mesh/formats/polygon_triangles.h"
 
 namespace tetfarm {
 namespace {
@@ -63,23 +64,19 @@ class ObjReader {
   }
 
   void read_face() {
-    std::array<std::int32_t, 3> corner{};
-    std::size_t corners = 0;
-    for (;; ++corners) {
+    corners_.clear();
+    for (;;) {
       const std::string_view word = scanner_.word_in_line();
       if (word.empty()) break;
-      corner[std::min<std::size_t>(corners, 2)] = vertex_number(word);
-      if (corners < 2) continue;
-      add_triangle(corner);
-      corner[1] = corner[2];
+      corners_.push_back(vertex_number(word));
     }
-    if (corners < 3) scanner_.fail("a face with " + std::to_string(corners) + " vertices");
-  }
-
-  void add_triangle(const Triangle& triangle) {
-    surface_.triangles.push_back(triangle);
+    if (corners_.size() < 3) {
+      scanner_.fail("a face with " + std::to_string(corners_.size()) + " vertices");
+    }
+    const std::size_t triangles = add_polygon(surface_, corners_);
     for (Naming& naming : namings_) {
-      naming.patch_of_triangle.push_back(naming.patches.number_of(naming.current));
+      naming.patch_of_triangle.insert(naming.patch_of_triangle.end(), triangles,
+                                      naming.patches.number_of(naming.current));
     }
   }
 
@@ -98,6 +95,7 @@ class ObjReader {
 
   InputScanner scanner_;
   SurfaceMesh surface_;
+  std::vector<std::int32_t> corners_;  ///< of the face at hand
   std::array<Naming, 3> namings_ = {Naming{"g"}, Naming{"o"}, Naming{"usemtl"}};
 };
 

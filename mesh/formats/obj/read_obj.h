@@ -8,9 +8,9 @@
 
 namespace tetfarm {
 
-/// Polygons become fans of triangles round their first vertex: right for convex ones. Of the groups
-/// (g), objects (o) and materials (usemtl), those become patches of which the file has most; g
-/// before o before usemtl when equal. A face may use vertices above it only.
+/// Polygons become triangles, as add_polygon makes them. Of the groups (g), objects (o) and
+/// materials (usemtl), those become patches of which the file has most; g before o before usemtl
+/// when equal. A face may use vertices above it only.
 /// @throws InvalidInput
 SurfaceMesh read_obj(std::string_view bytes, const std::string& name);
 

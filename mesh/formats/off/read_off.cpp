@@ -1,9 +1,11 @@
 #include "mesh/formats/off/read_off.h"
 
 #include <limits>
+#include <vector>
 
 #include "base/check.h"
 #include "mesh/formats/input_scanner.h"
+#include "mesh/formats/polygon_triangles.h"
 
 namespace tetfarm {
 namespace {
@@ -18,17 +20,13 @@ void read_faces(InputScanner& scanner, std::size_t faces, SurfaceMesh& surface) 
     return static_cast<std::int32_t>(number);
   };
   surface.triangles.reserve(faces);
+  std::vector<std::int32_t> polygon;
   for (std::size_t i = 0; i < faces; ++i) {
     const std::int64_t corners = scanner.integer("the number of vertices of a face");
     if (corners < 3) scanner.fail("a face with " + std::to_string(corners) + " vertices");
-    Triangle triangle;
-    triangle[0] = vertex();
-    triangle[2] = vertex();
-    for (std::int64_t corner = 2; corner < corners; ++corner) {
-      triangle[1] = triangle[2];
-      triangle[2] = vertex();
-      surface.triangles.push_back(triangle);
-    }
+    polygon.clear();
+    for (std::int64_t corner = 0; corner < corners; ++corner) polygon.push_back(vertex());
+    add_polygon(surface, polygon);
     scanner.rest_of_line();
   }
   TF_CHECK(surface.triangles.size() >= faces);
@@ -43,7 +41,9 @@ SurfaceMesh read_off(std::string_view bytes, const std::string& name) {
   if (keyword != "OFF" && keyword != "COFF" && keyword != "NOFF" && keyword != "CNOFF") {
     scanner.fail("expected OFF, found " + quoted(keyword));
   }
-  const std::int64_t vertex_count = scanner.integer("the number of vertices");
+  const std::string_view first = scanner.word();
+  if (first == "BINARY") scanner.fail("is binary, which is not supported; save it as text");
+  const std::int64_t vertex_count = scanner.to_integer(first, "the number of vertices");
   const std::int64_t face_count = scanner.integer("the number of faces");
   const std::size_t vertices = scanner.to_count(vertex_count, shortest_line);
   const std::size_t faces = scanner.to_count(face_count, shortest_line);

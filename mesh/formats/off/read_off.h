@@ -9,7 +9,8 @@
 namespace tetfarm {
 
 /// Also COFF, NOFF and CNOFF: what follows the coordinates or the vertices of a face on its line, a
-/// colour or a normal, is passed over. Polygons become fans of triangles round their first vertex.
+/// colour or a normal, is passed over. Polygons become triangles, as add_polygon
+/// makes them.
 /// @throws InvalidInput
 SurfaceMesh read_off(std::string_view bytes, const std::string& name);
 

@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "mesh/formats/input_scanner.h"
+#include "mesh/formats/polygon_triangles.h"
 #include "mesh/formats/used_vertices.h"
 
 namespace tetfarm {
@@ -135,6 +136,15 @@ class PlyReader {
     return kind.is_signed ? raw<std::int32_t>() : raw<std::uint32_t>();
   }
 
+  /// Of a quality or a normal, which may be anything, even "nan".
+  void pass_over(const Kind& kind) {
+    if (form_ != Form::text) {
+      scanner_.skip_bytes(kind.bytes);
+    } else if (scanner_.word().empty()) {
+      scanner_.fail("the file ends too early");
+    }
+  }
+
   std::int64_t integer(const Kind& kind) {
     if (form_ == Form::text) return scanner_.integer("an integer");
     return static_cast<std::int64_t>(number(kind));
@@ -147,10 +157,11 @@ class PlyReader {
         read_list(element, property);
         continue;
       }
-      const double value = number(property.kind);
-      for (int axis = 0; axis < 3; ++axis) {
-        constexpr std::array<std::string_view, 3> names = {"x", "y", "z"};
-        if (property.name == names[static_cast<std::size_t>(axis)]) point[axis] = value;
+      const std::size_t axis = std::string_view("xyz").find(property.name);
+      if (element.name != "vertex" || property.name.size() != 1 || axis == property.name.npos) {
+        pass_over(property.kind);
+      } else {
+        point[static_cast<int>(axis)] = number(property.kind);
       }
     }
     if (element.name != "vertex") return;
@@ -163,20 +174,41 @@ class PlyReader {
   void read_list(const Element& element, const Property& property) {
     const std::int64_t count = integer(property.count_kind);
     const std::size_t length = scanner_.to_count(count, 1);
-    const bool is_face = element.name == "face" &&
-                         (property.name == "vertex_indices" || property.name == "vertex_index");
+    const bool has_corners = property.name == "vertex_indices" || property.name == "vertex_index";
+    if (element.name == "tristrips" && has_corners) return read_strips(property.kind, length);
+    const bool is_face = element.name == "face" && has_corners;
     if (is_face && length < 3) scanner_.fail("a face with " + std::to_string(length) + " vertices");
-    std::vector<std::int32_t> corners;
+    corners_.clear();
     for (std::size_t i = 0; i < length; ++i) {
       if (is_face) {
-        corners.push_back(vertex_of(scanner_, surface_, integer(property.kind), 0));
+        corners_.push_back(vertex_of(scanner_, surface_, integer(property.kind), 0));
       } else {
-        number(property.kind);
+        pass_over(property.kind);
       }
     }
-    if (!is_face) return;
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      surface_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+    if (is_face) add_polygon(surface_, corners_);
+  }
+
+  /// Each corner after the first two makes a triangle with the two before it, every other one
+  /// turned round; -1 ends a strip. A corner that is there twice only turns the rest.
+  void read_strips(const Kind& kind, std::size_t length) {
+    std::array<std::int32_t, 2> before = {-1, -1};
+    bool is_turned = false;
+    for (std::size_t i = 0; i < length; ++i) {
+      const std::int64_t number = integer(kind);
+      if (number == -1) {
+        before = {-1, -1};
+        is_turned = false;
+        continue;
+      }
+      const std::int32_t v = vertex_of(scanner_, surface_, number, 0);
+      const auto [a, b] = before;
+      before = {b, v};
+      if (a < 0) continue;
+      if (a != b && b != v && v != a) {
+        surface_.triangles.push_back(is_turned ? Triangle{b, a, v} : Triangle{a, b, v});
+      }
+      is_turned = !is_turned;
     }
   }
 
@@ -184,6 +216,7 @@ class PlyReader {
   Form form_ = Form::text;
   std::vector<Element> elements_;
   SurfaceMesh surface_;
+  std::vector<std::int32_t> corners_;  ///< of the face at hand
 };
 
 }  // namespace

@@ -8,8 +8,9 @@
 
 namespace tetfarm {
 
-/// Any further elements and properties are passed over. Polygons become fans of triangles; there
-/// are no patches.
+/// Any further elements and properties are passed over, whatever their values. Polygons become
+/// triangles, as add_polygon makes them, and so do strips of triangles (tristrips); there are no
+/// patches.
 /// @throws InvalidInput
 SurfaceMesh read_ply(std::string_view bytes, const std::string& name);
 

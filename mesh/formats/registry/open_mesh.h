@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/file_system.h"
 #include "mesh/formats/mesh_source.h"
 
 namespace tetfarm {
@@ -15,11 +16,11 @@ namespace tetfarm {
 /// file and line or byte.
 std::unique_ptr<MeshSource> open_mesh(
     const std::filesystem::path& path,
-    const std::filesystem::path& scratch_folder = std::filesystem::temp_directory_path());
+    const std::filesystem::path& scratch_folder = temporary_folder());
 /// The same of a file that is kept under another name than `name`, which tells the format.
 std::unique_ptr<MeshSource> open_mesh_as(
     const std::filesystem::path& path, std::string_view name,
-    const std::filesystem::path& scratch_folder = std::filesystem::temp_directory_path());
+    const std::filesystem::path& scratch_folder = temporary_folder());
 
 /// Whether a folder is a mesh of some format, such as a case of OpenFOAM.
 bool is_mesh_folder(const std::filesystem::path& folder);

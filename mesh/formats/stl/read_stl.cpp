@@ -74,11 +74,16 @@ void expect(InputScanner& scanner, std::string_view keyword) {
   scanner.fail("expected " + std::string(keyword) + ", found " + quoted(word));
 }
 
-/// From behind the word "facet". The normal is passed over: it may be anything, even "nan".
+/// From behind the word "facet". The normal is passed over: it may be anything, even "nan", and
+/// some programs write none.
 Triangle read_facet(InputScanner& scanner, VertexWelding& welding) {
-  expect(scanner, "normal");
-  for (int i = 0; i < 3; ++i) scanner.word();
-  expect(scanner, "outer");
+  const std::string_view word = scanner.word();
+  if (same_word(word, "normal")) {
+    for (int i = 0; i < 3; ++i) scanner.word();
+    expect(scanner, "outer");
+  } else if (!same_word(word, "outer")) {
+    scanner.fail("expected normal, found " + quoted(word));
+  }
   expect(scanner, "loop");
   Triangle triangle;
   for (std::int32_t& vertex : triangle) {

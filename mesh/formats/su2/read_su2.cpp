@@ -1,17 +1,19 @@
 #include "mesh/formats/su2/read_su2.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
 
 #include "mesh/formats/patch_names.h"
+#include "mesh/formats/polygon_triangles.h"
 #include "mesh/formats/su2/su2_walker.h"
 #include "mesh/formats/used_vertices.h"
 
 namespace tetfarm {
 namespace {
 
-/// The triangles of the markers, or those among the elements when there are none.
+/// The triangles and quadrangles of the markers, or those among the elements when there are none.
 class SurfaceContent : public Su2Content {
  public:
   explicit SurfaceContent(const InputScanner& in) : in_(in) {}
@@ -24,25 +26,31 @@ class SurfaceContent : public Su2Content {
   }
   void begin_marker(std::string_view name) override { patch_ = patches_.number_of(name); }
   bool wants(Su2List list, std::int64_t type, const InputScanner& in) override {
-    if (list == Su2List::marker && type != su2_triangle) {
-      in.fail("an element of a marker is not a triangle (5)");
+    const bool is_face = type == su2_triangle || type == su2_quad;
+    if (list == Su2List::marker && !is_face) {
+      in.fail("an element of a marker has the type " + std::to_string(type) +
+              ": expected a triangle (5) or a quadrangle (9)");
     }
-    return type == su2_triangle;
+    return is_face;
   }
   void add_element(Su2List list, std::int64_t, std::span<const std::int64_t> nodes) override {
-    const Corners corners{{nodes[0], nodes[1], nodes[2]}, patch_};
-    (list == Su2List::marker ? markers_ : elements_).push_back(corners);
+    Face face;
+    face.count = nodes.size();
+    face.patch = patch_;
+    std::ranges::copy(nodes, face.nodes.begin());
+    (list == Su2List::marker ? markers_ : elements_).push_back(face);
   }
 
   SurfaceMesh take() {
     const bool has_markers = !markers_.empty();
-    for (const Corners& corners : has_markers ? markers_ : elements_) {
-      Triangle triangle;
-      for (std::size_t k = 0; k < 3; ++k) {
-        triangle[k] = vertex_of(in_, surface_, corners.nodes[k], 0);
+    for (const Face& face : has_markers ? markers_ : elements_) {
+      std::array<std::int32_t, 4> corners{};
+      for (std::size_t k = 0; k < face.count; ++k) {
+        corners[k] = vertex_of(in_, surface_, face.nodes[k], 0);
       }
-      surface_.triangles.push_back(triangle);
-      if (has_markers) surface_.patch_of_triangle.push_back(corners.patch);
+      const std::size_t triangles = add_polygon(surface_, std::span(corners.data(), face.count));
+      if (!has_markers) continue;
+      surface_.patch_of_triangle.insert(surface_.patch_of_triangle.end(), triangles, face.patch);
     }
     if (has_markers) surface_.patch_names = patches_.take();
     keep_used_vertices(surface_);
@@ -51,16 +59,17 @@ class SurfaceContent : public Su2Content {
 
  private:
   /// As the file has it: nodes may come after it.
-  struct Corners {
-    std::array<std::int64_t, 3> nodes{};
+  struct Face {
+    std::array<std::int64_t, 4> nodes{};
+    std::size_t count = 0;  ///< of these
     std::int32_t patch = 0;
   };
 
   const InputScanner& in_;
   PatchNames patches_;
   std::int32_t patch_ = 0;
-  std::vector<Corners> markers_;
-  std::vector<Corners> elements_;
+  std::vector<Face> markers_;
+  std::vector<Face> elements_;
   SurfaceMesh surface_;
 };
 

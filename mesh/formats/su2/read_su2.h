@@ -9,8 +9,8 @@
 
 namespace tetfarm {
 
-/// Patches are the markers. Other elements than triangles are refused in markers, passed over
-/// elsewhere.
+/// Patches are the markers. Quadrangles become two triangles each; other elements are
+/// refused in markers, passed over elsewhere.
 /// @throws InvalidInput
 SurfaceMesh read_su2(std::string_view bytes, const std::string& name);
 

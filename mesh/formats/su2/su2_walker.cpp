@@ -34,8 +34,10 @@ class Walker {
     if (value.empty()) value = in_.word_in_line();
     if (key == "NDIME") {
       if (in_.to_integer(value, "the number of dimensions") != dimension_) {
-        in_.fail(dimension_ == 3 ? "the mesh is not three-dimensional"
-                                 : "the mesh is not one of the plane");
+        in_.fail(
+            dimension_ == 3
+                ? "the mesh is not three-dimensional; `tetfarm adapt` takes meshes of the plane"
+                : "the mesh is not one of the plane");
       }
       in_.rest_of_line();
     } else if (key == "NELEM") {

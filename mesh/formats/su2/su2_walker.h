@@ -18,6 +18,7 @@ namespace tetfarm {
 
 inline constexpr std::int64_t su2_line = 3;
 inline constexpr std::int64_t su2_triangle = code_of(ElementCodes::vtk, ElementType::triangle);
+inline constexpr std::int64_t su2_quad = code_of(ElementCodes::vtk, ElementType::quad);
 
 /// Where an element stands: in the list of all (NELEM) or in that of a marker.
 enum class Su2List { elements, marker };

@@ -1,6 +1,7 @@
 #include "mesh/formats/surfaces/read_surface.h"
 
 #include "base/check.h"
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/formats/gzip.h"
 #include "mesh/formats/open_edge_welding.h"
@@ -18,7 +19,13 @@ SurfaceMesh read_surface_bytes(std::string_view bytes, const std::string& name) 
   const Format& format = surface_format_of(name);
   if (bytes.empty()) throw InvalidInput("the file is empty", name);
   SurfaceMesh surface = format.read_surface(bytes, name);
-  if (surface.triangles.empty()) throw InvalidInput("the file has no triangles", name);
+  if (surface.triangles.empty()) {
+    const std::size_t points = surface.vertices.size();
+    throw InvalidInput(points == 0 ? "the file has no triangles"
+                                   : "the file has " + counted(points, "point") +
+                                         ", but no triangles: make a surface of them first",
+                       name);
+  }
   weld_open_edges(surface);
   if (surface.patch_names.empty()) {
     surface.patch_names = {std::string(unnamed_patch)};

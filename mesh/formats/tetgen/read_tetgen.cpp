@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "mesh/formats/patch_names.h"
+#include "mesh/formats/polygon_triangles.h"
 #include "mesh/formats/tetgen/tetgen_lists.h"
 #include "mesh/formats/used_vertices.h"
 
@@ -40,7 +41,9 @@ class TetgenReader {
   }
 
   void add(const std::vector<std::int32_t>& corners, std::int64_t mark) {
-    add_polygon(surface_, corners, patches_.number_of("mark " + std::to_string(mark)));
+    const std::size_t triangles = add_polygon(surface_, corners);
+    const std::int32_t patch = patches_.number_of("mark " + std::to_string(mark));
+    surface_.patch_of_triangle.insert(surface_.patch_of_triangle.end(), triangles, patch);
   }
 
   std::vector<std::int32_t> read_corners() {

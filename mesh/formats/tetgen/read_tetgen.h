@@ -8,7 +8,7 @@
 
 namespace tetfarm {
 
-/// Nodes must be in the file itself. Polygons become fans of triangles, so they should be convex; a
+/// Nodes must be in the file itself. Polygons become triangles, as add_polygon makes them; a
 /// facet with holes or loose edges is refused. Boundary marks are the patches, "mark N"; points in
 /// holes and regions are passed over.
 /// @throws InvalidInput

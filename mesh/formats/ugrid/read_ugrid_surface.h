@@ -10,7 +10,8 @@ namespace tetfarm {
 
 /// What stands before .ugrid tells the form: nothing is text; b8, lb8, b8l, lb8l, b4, lb4 are
 /// binary, big or little endian, with 64-bit integers (l), coordinates of 8 or 4 bytes. Volume
-/// elements are passed over, quadrangles refused. A triangle's patch is "patch N".
+/// elements are passed over; quadrangles become two triangles each. A triangle's patch is "patch
+/// N".
 /// @throws InvalidInput
 SurfaceMesh read_ugrid_surface(std::string_view bytes, const std::string& name);
 

@@ -42,13 +42,5 @@ TEST(UsedVertices, are_counted_from_the_number_that_the_format_begins_with) {
   }
 }
 
-TEST(UsedVertices, of_a_polygon_make_a_fan_round_the_first_corner) {
-  SurfaceMesh surface;
-  add_polygon(surface, {4, 7, 1, 3, 9}, 2);
-  EXPECT_THAT(surface.triangles,
-              ElementsAre(Triangle{4, 7, 1}, Triangle{4, 1, 3}, Triangle{4, 3, 9}));
-  EXPECT_THAT(surface.patch_of_triangle, ElementsAre(2, 2, 2));
-}
-
 }  // namespace
 }  // namespace tetfarm

@@ -338,7 +338,7 @@ TEST(JobFileDocument, and_the_examples_can_be_parsed) {
     if (block.find("[geometry]") == block.npos) block += geometry;
     EXPECT_NO_THROW(parse_job_file(block, "document.toml")) << block;
   }
-  EXPECT_EQ(blocks, 13);
+  EXPECT_EQ(blocks, 14);
 }
 
 TEST(Examples, are_jobs_whose_surfaces_exist_or_can_be_made) {

@@ -59,7 +59,10 @@ TEST(JobPml, takes_every_key_and_is_the_same_in_canonical_text) {
   JobFile job;
   job.name = "a";
   job.surface = "/a.stl";
-  for (const JobPml& one : {pml, pml_of("patches = [\"far\"]\nheight = \"spacing\"")}) {
+  const JobPml blocks = pml_of("patches = [\"far\"]\ncorners = \"block\"");
+  EXPECT_EQ(blocks.corners, "block");
+  EXPECT_EQ(pml.corners, "mitre");
+  for (const JobPml& one : {pml, pml_of("patches = [\"far\"]\nheight = \"spacing\""), blocks}) {
     job.pml = one;
     const JobFile again = parse_job_file(to_toml(job), "/job.toml");
     EXPECT_EQ(again.pml->patches, one.patches);
@@ -67,6 +70,7 @@ TEST(JobPml, takes_every_key_and_is_the_same_in_canonical_text) {
     EXPECT_EQ(again.pml->height, one.height);
     EXPECT_EQ(again.pml->elements, one.elements);
     EXPECT_EQ(again.pml->side, one.side);
+    EXPECT_EQ(again.pml->corners, one.corners);
   }
 }
 
@@ -76,7 +80,10 @@ TEST(JobPml, refuses_what_it_cannot_be) {
   EXPECT_THAT(refusal_of_pml(far + "layers = 0"), HasSubstr("layers"));
   EXPECT_THAT(refusal_of_pml(far + "height = 0"), HasSubstr("height"));
   EXPECT_THAT(refusal_of_pml(far + "height = \"edge\""), HasSubstr("spacing"));
-  EXPECT_THAT(refusal_of_pml(far + "corners = \"block\""), HasSubstr("mitre"));
+  EXPECT_THAT(refusal_of_pml(far + "corners = \"blocks\""), HasSubstr("\"mitre\", \"block\""));
+  const std::string blocks = far + "corners = \"block\"\n";
+  EXPECT_THAT(refusal_of_pml(blocks + "elements = \"prisms\""), HasSubstr("leave it out"));
+  EXPECT_THAT(refusal_of_pml(blocks + "side = \"inside\""), HasSubstr("corners = \"mitre\""));
   EXPECT_THAT(refusal_of_pml(far + "elements = \"hexes\""), HasSubstr("prisms"));
   EXPECT_THAT(refusal_of_pml(far + "side = \"within\""), HasSubstr("inside"));
   EXPECT_THAT(refusal_of_pml(far + "first_height = 1"), HasSubstr("first_height"));

@@ -84,6 +84,40 @@ TEST(PatchTables, of_sizes_are_refused_where_they_are_wrong) {
               HasSubstr("a.toml:5:10: `growth` needs `size`"));
 }
 
+TEST(PatchTables, say_which_layers_grow_on_a_patch_as_tables_of_layers_do) {
+  const JobFile job = job_of(
+      "[[layers]]\npatches = [\"a\"]\nfirst_height = 2\n[patch.b]\nlayers = { first_height = "
+      "1e-4, count = 20 }\n[patch.c]\ntype = \"wall\"\nlayers.first_height = 3\n");
+  ASSERT_EQ(job.layers.size(), 3U);
+  EXPECT_EQ(job.layers[1].patches, std::vector<std::string>{"b"});
+  EXPECT_EQ(job.layers[1].first_height, 1e-4);
+  EXPECT_EQ(job.layers[1].count, 20);
+  EXPECT_EQ(job.layers[2].first_height, 3);
+  ASSERT_EQ(job.patches.size(), 1U) << "b has neither a type nor a size";
+  EXPECT_EQ(job.patches[0].glob, "c");
+  const JobFile long_form = job_of(
+      "[[layers]]\npatches = [\"a\"]\nfirst_height = 2\n[[layers]]\npatches = "
+      "[\"b\"]\nfirst_height "
+      "= 1e-4\ncount = 20\n[[layers]]\npatches = [\"c\"]\nfirst_height = 3\n[patch.c]\ntype = "
+      "\"wall\"\n");
+  EXPECT_EQ(to_toml(job), to_toml(long_form));
+}
+
+TEST(PatchTables, of_layers_are_refused_where_they_are_wrong) {
+  EXPECT_EQ(refusal_of_tables("[patch.a]\nlayers = { frist_height = 1 }\n"),
+            "a.toml:4:12: unknown key `frist_height` in [patch.a.layers]; did you mean "
+            "`first_height`?");
+  EXPECT_THAT(refusal_of_tables("[patch.a]\nlayers = { count = 3 }\n"),
+              HasSubstr("`first_height` is missing"));
+  EXPECT_THAT(refusal_of_tables("[patch.a]\nlayers = { patches = [\"b\"], first_height = 1 }\n"),
+              HasSubstr("unknown key `patches` in [patch.a.layers]"));
+  EXPECT_THAT(refusal_of_tables("[patch.a]\nlayers = 20\n"), HasSubstr("a.toml:4:10: "));
+  EXPECT_EQ(refusal_of_tables("[[layers]]\npatches = [\"x\", \"a\"]\nfirst_height = 1\n[patch.a]\n"
+                              "layers = { first_height = 1 }\n"),
+            "a.toml:7:10: `layers` cannot be given: a [[layers]] has the patch \"a\" already; say "
+            "its layers in one of the two");
+}
+
 TEST(PatchSizeOption, names_patches_and_their_edges) {
   const std::vector<JobPatch> patches = parse_patch_size_option("wing_*,a=b=0.01");
   ASSERT_EQ(patches.size(), 2U);

@@ -166,6 +166,7 @@ TEST(JobFileKeys, are_each_there_once) {
       "layers.acceleration layers.total_height layers.count layers.equal layers.heights "
       "layers.room layers.step "
       "layers.fan_angle layers.elements patch.type patch.size patch.growth "
+      "patch.layers "
       "pml.patches pml.layers pml.height pml.corners pml.elements pml.side "
       "decompose.subdomains decompose.target_elements "
       "decompose.plane decompose.max_memory decompose.assimilate decompose.assimilate.groups "

@@ -39,7 +39,15 @@ TEST(Symmetry, is_refused_with_what_it_cannot_be_together_with) {
   EXPECT_THAT(refusal("\"y=0\"\n[surface]\nremesh = true\n"),
               HasSubstr("`symmetry` cannot be given together with remeshing"));
   EXPECT_THAT(refusal("\"y=0\"\n[[pml]]\npatches = [\"*\"]\n"),
-              HasSubstr("cannot be given together with absorbing layers"));
+              HasSubstr("cannot be given together with absorbing layers whose corners are mitres"));
+}
+
+TEST(Symmetry, goes_together_with_absorbing_layers_in_blocks) {
+  const JobFile job = parse_job_file(
+      "[geometry]\nsurface = \"a.stl\"\n[domain]\nsymmetry = \"y=0\"\n"
+      "[[pml]]\npatches = [\"*\"]\ncorners = \"block\"\n",
+      "a.toml");
+  EXPECT_TRUE(job.symmetry && job.pml);
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ export interface JobLine {
   name: string;
   state: string;
   stage: string;
+  priority?: number;
   after?: string[];
   waits_for?: string[];
   share?: number;
@@ -183,6 +184,22 @@ export interface FarmEvent {
   worker: string;
   what: string;
   message: string;
+}
+
+/** A file of a job that marks triangles. */
+export interface MapLine {
+  map: number;
+  file: string;
+  of: string; // 'defects' or 'layers'
+  meanings: string[]; // of the numbers of defects
+  hash: string;
+  bytes: number;
+  is_there: boolean;
+}
+
+export interface MapList {
+  sees_files: boolean;
+  maps: MapLine[];
 }
 
 export interface SurfaceLine {

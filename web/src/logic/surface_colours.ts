@@ -10,7 +10,7 @@ export interface LegendLine {
   count?: number;
 }
 
-export const ways = ['subdomain', 'state', 'worker', 'seconds', 'angle', 'patch'] as const;
+export const ways = ['subdomain', 'state', 'worker', 'seconds', 'angle', 'patch', 'layers'] as const;
 export type Way = (typeof ways)[number];
 
 export const wayWords: Record<Way, string> = {
@@ -20,6 +20,7 @@ export const wayWords: Record<Way, string> = {
   seconds: 'Seconds of meshing',
   angle: 'Smallest angle',
   patch: 'Patch',
+  layers: 'Layers on the wall',
 };
 
 const hues: readonly Rgb[] = [
@@ -31,6 +32,15 @@ const viridis: readonly Rgb[] = [
 export const unknownColour: Rgb = [150, 156, 164];
 export const cutColour: Rgb = [196, 201, 208];
 export const layersColour: Rgb = [112, 128, 144];
+
+/** The steps of the scale of figures. */
+export const scaleSteps = viridis.length;
+
+/** Of step `step` of so many, which are spread over the scale. */
+export function scaleColour(step: number, steps: number): Rgb {
+  const index = steps > 1 ? Math.round((step * (viridis.length - 1)) / (steps - 1)) : viridis.length - 2;
+  return viridis[Math.min(viridis.length - 1, Math.max(0, index))]!;
+}
 
 export const differentColours = 3 * hues.length;
 

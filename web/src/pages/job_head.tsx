@@ -39,6 +39,24 @@ function JobActs({ job, onChange }: Omit<HeadProps, 'acts'>) {
       )}
       {isJobLive(job.state) && (
         <Act
+          label="Priority"
+          title={`Priority of ${job.job}`}
+          confirm="Set the priority"
+          path={`/jobs/${inAddress(job.job)}/priority?priority=`}
+          number={{ words: 'Priority, from −1000 to 1000', value: job.priority ?? 0, least: -1000, most: 1000 }}
+          outcome={(answer) =>
+            answer.set === true
+              ? `${job.job} has priority ${String(answer.priority)}.`
+              : `${job.job} is already ${String(answer.state)}: none of its tasks wait for workers.`
+          }
+          onDone={onChange}
+        >
+          Workers take tasks of the job with the highest priority first. What they have begun they end, and the mesh does
+          not depend on it. <bdi>{name}</bdi> has {job.priority ?? 0}.
+        </Act>
+      )}
+      {isJobLive(job.state) && (
+        <Act
           label="Cancel"
           title={`Cancel ${job.job}?`}
           confirm="Cancel the job"
@@ -99,6 +117,7 @@ function JobFigures({ job }: { job: Job }) {
       <Figure words="Running" hint={`${whole(job.tasks_ready)} waiting`}>
         {whole(job.tasks_running)}
       </Figure>
+      {job.priority !== undefined && job.priority !== 0 && <Figure words="Priority">{String(job.priority)}</Figure>}
       <Figure words="Time">{duration(job.seconds)}</Figure>
       <Figure words="Peak memory" hint="of a worker">
         {job.peak_rss_bytes_worker > 0 ? bytes(job.peak_rss_bytes_worker) : dash}

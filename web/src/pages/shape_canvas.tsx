@@ -2,16 +2,19 @@
 // keys and by buttons.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
+import type { Cut } from '../logic/section';
 import type { ShownSurface } from '../logic/shown_surface';
 import { Waiting } from '../ui/parts';
 import { colour, onTheme } from '../ui/theme';
-import type { ColourOf, ShapeScene } from './shape_scene';
+import type { ColourOf, Overlay, ShapeScene } from './shape_scene';
 
 interface CanvasProps {
   surfaces: ReadonlyMap<number, ShownSurface>;
   colourOf: ColourOf;
   exploded: number;
   mark: readonly number[] | undefined;
+  cut: Cut | undefined;
+  overlays: readonly Overlay[];
   label: string;
   onChoose: (path: number | undefined) => void;
 }
@@ -56,12 +59,12 @@ function useScene(element: { current: HTMLCanvasElement | null }): [ShapeScene |
     const sizes = new ResizeObserver(() => made?.size(canvas.clientWidth, canvas.clientHeight));
     const lost = () => go('lost');
     canvas.addEventListener('webglcontextlost', lost);
-    const forget = onTheme(() => made?.background(colour('paper')));
+    const forget = onTheme(() => made?.background(colour('paper'), colour('ink')));
     import('./shape_scene').then(
       ({ ShapeScene: Made }) => {
         if (isOver) return;
         made = new Made(canvas, context);
-        made.background(colour('paper'));
+        made.background(colour('paper'), colour('ink'));
         sizes.observe(canvas);
         set(made);
         go('drawn');
@@ -119,7 +122,7 @@ function usePointer(scene: ShapeScene | undefined, onChoose: CanvasProps['onChoo
   };
 }
 
-export function ShapeCanvas({ surfaces, colourOf, exploded, mark, label, onChoose }: CanvasProps) {
+export function ShapeCanvas({ surfaces, colourOf, exploded, mark, cut, overlays, label, onChoose }: CanvasProps) {
   const element = useRef<HTMLCanvasElement>(null);
   const [scene, stage] = useScene(element);
   const pointer = usePointer(scene, onChoose);
@@ -137,6 +140,8 @@ export function ShapeCanvas({ surfaces, colourOf, exploded, mark, label, onChoos
     scene?.show(surfaces);
     scene?.colour(colourOf);
   }, [scene, surfaces, colourOf]);
+  useEffect(() => scene?.lay(overlays), [scene, overlays]);
+  useEffect(() => scene?.cut(cut), [scene, cut]);
   useEffect(() => scene?.explode(exploded), [scene, exploded]);
   useEffect(() => scene?.markAt(mark), [scene, mark]);
   const key = (event: KeyboardEvent) => {

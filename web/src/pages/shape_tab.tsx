@@ -5,28 +5,37 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { ColumnTable } from '../api/columns';
 import { useAnswer, useLive } from '../api/hooks';
 import { inAddress } from '../api/client';
+import type { LoadedMap } from '../api/map_loader';
+import { useMapSurfaces } from '../api/map_loader';
 import type { LoadedSurface } from '../api/surface_loader';
 import { SurfaceLoader } from '../api/surface_loader';
-import type { Job, SurfaceLine, SurfaceList } from '../api/types';
+import type { Job, MapLine, MapList, SurfaceLine, SurfaceList } from '../api/types';
 import { counted, duration, figure, whole } from '../logic/format';
+import { colouringOfDefects, colouringOfLayers } from '../logic/job_maps';
 import type { Meshing } from '../logic/meshing_tasks';
 import { meshingOf } from '../logic/meshing_tasks';
 import type { WorstPlace } from '../logic/quality';
 import { worstPlaceOf } from '../logic/quality';
 import { taskAddress } from '../logic/router';
-import { trianglesForEach } from '../logic/shown_surface';
+import type { Cut } from '../logic/section';
+import { placeOfCut } from '../logic/section';
+import type { ShapeSettings } from '../logic/shape_settings';
+import type { ShownSurface } from '../logic/shown_surface';
+import { addBox, boxOf, emptyBox, trianglesForEach } from '../logic/shown_surface';
 import type { ShownSubdomain } from '../logic/shown_subdomains';
 import { colouringOf, stateWords } from '../logic/shown_subdomains';
 import { sortedRows } from '../logic/sort_filter';
 import { isJobLive } from '../logic/states';
 import type { LegendLine, Way } from '../logic/surface_colours';
 import { cssColour, unknownColour, ways, wayWords } from '../logic/surface_colours';
-import { Choice } from '../ui/fields';
 import { goTo } from '../ui/navigation';
 import { Empty, Name, TaskLink, Trouble, Waiting } from '../ui/parts';
 import type { Column, Sorting } from '../ui/virtual_table';
 import { VirtualTable } from '../ui/virtual_table';
 import { ShapeCanvas } from './shape_canvas';
+import { ShapeControls } from './shape_controls';
+import { useShapeSettings } from './shape_hash';
+import type { Overlay } from './shape_scene';
 
 function shownOf(line: SurfaceLine, meshing: Meshing | undefined): ShownSubdomain {
   return {
@@ -202,25 +211,80 @@ function Chosen({ shown }: { shown: ShownSubdomain | undefined }) {
   );
 }
 
+const noMaps: readonly MapLine[] = [];
+const noSurfaces: ReadonlyMap<number, ShownSurface> = new Map();
+const trianglesOfDefects = 32_768;
+const trianglesOfLayers = 131_072;
+
+/** The maps of a job that has ended: only then are there any. */
+function useMaps(job: Job, way: Way) {
+  const path = isJobLive(job.state) ? undefined : `/jobs/${inAddress(job.job)}/maps`;
+  const maps = useAnswer<MapList>(path).value?.maps ?? noMaps;
+  const [defects, layers] = useMemo(() => {
+    const of = (what: string) => maps.filter((line) => line.of === what && line.is_there);
+    return [of('defects'), of('layers')];
+  }, [maps]);
+  const drawnDefects = useMapSurfaces(job.job, defects, trianglesOfDefects);
+  const drawnLayers = useMapSurfaces(job.job, way === 'layers' ? layers : noMaps, trianglesOfLayers);
+  return { maps, hasLayers: layers.length > 0, defects: drawnDefects, layers: drawnLayers };
+}
+
+type Maps = ReturnType<typeof useMaps>;
+
+/** How the maps are drawn: defects through everything, layers in place of the sub-domains. */
+function overlaysOf(loaded: readonly LoadedMap[], of: 'defects' | 'layers'): { overlays: Overlay[]; legend: LegendLine[] } {
+  const surfaces = loaded.map(({ surface }) => surface);
+  const { ofPiece, legend } =
+    of === 'layers' ? colouringOfLayers(surfaces) : colouringOfDefects(surfaces, loaded.map(({ line }) => line.meanings));
+  const overlays = surfaces.map((surface, map) => ({
+    surface, colourOf: (piece: number) => ofPiece(map, piece), isOnTop: of === 'defects',
+  }));
+  return { overlays, legend };
+}
+
+/** Defects in words: what they are, in how many triangles, and what cannot be shown of them. */
+function Defects({ maps }: { maps: Maps }) {
+  const lost = maps.maps.filter((line) => !line.is_there);
+  const triangles = maps.defects.loaded.reduce((sum, { surface }) => sum + surface.wholeTriangles, 0);
+  const trouble = maps.defects.trouble || maps.layers.trouble;
+  return (
+    <>
+      {triangles > 0 && (
+        <p role="status" class="shape-defects">
+          {counted(triangles, 'triangle')} with defects, drawn through what lies before them:{' '}
+          {[...new Set(maps.defects.loaded.flatMap(({ line }) => line.meanings))].map((words, index) => (
+            <>{index > 0 && ', '}<Name text={words} longest={60} /></>
+          ))}.
+        </p>
+      )}
+      {lost.map((line) => (
+        <p key={line.map} class="faint">
+          <code><Name text={line.file} longest={80} /></code> cannot be drawn: the file is not seen in the store, or is too large.
+        </p>
+      ))}
+      {trouble && <p class="warn" role="alert">A map did not come: <Name text={trouble} longest={200} /></p>}
+    </>
+  );
+}
+
 interface ViewProps {
   worst: WorstPlace | undefined;
   list: SurfaceList;
   loaded: readonly LoadedSurface[];
   shown: readonly ShownSubdomain[];
+  maps: Maps;
+  settings: ShapeSettings;
+  change: (change: Partial<ShapeSettings>) => void;
 }
 
-function SpaceView({ list, loaded, shown, worst }: ViewProps) {
-  const [way, go] = useState<Way>('subdomain');
-  const [exploded, explode] = useState(0);
-  const [marks, mark] = useState(true);
-  const [chosen, choose] = useState<number>();
-  const surfaces = useMemo(() => new Map(loaded.map(({ line, surface }) => [line.path, surface])), [loaded]);
+/** The colours of the sub-domains, and what they mean. */
+function useColouring({ list, loaded, shown }: ViewProps, way: Way) {
   const pieces = useMemo(() => {
     const found = new Set<number>();
     for (const { surface } of loaded) for (const kind of surface.kinds) found.add(kind);
     return found;
   }, [loaded]);
-  const { colouring, colourOf } = useMemo(() => {
+  return useMemo(() => {
     const made = colouringOf(way, shown, list.patches, pieces);
     const path2colour = new Map(shown.map((one) => [one.path, made.ofSubdomain(one)]));
     return {
@@ -229,43 +293,59 @@ function SpaceView({ list, loaded, shown, worst }: ViewProps) {
         path2colour.has(path) ? path2colour.get(path) ?? made.ofPiece(piece) : unknownColour,
     };
   }, [way, shown, list, pieces]);
+}
+
+/** Where the plane is that cuts what is drawn. */
+function useCut({ cut: axis, at, keepsAbove }: ShapeSettings, drawn: readonly ShownSurface[]): Cut | undefined {
+  const box = useMemo(() => {
+    const all = emptyBox();
+    for (const surface of drawn) addBox(all, boxOf(surface));
+    return all;
+  }, [drawn]);
+  return useMemo(() => axis && { axis, at: placeOfCut(box, axis, at / 100), keepsAbove }, [box, axis, at, keepsAbove]);
+}
+
+function SpaceView(props: ViewProps) {
+  const { loaded, shown, worst, maps, settings, change } = props;
+  const [chosen, choose] = useState<number>();
+  const way = settings.way === 'layers' && !maps.hasLayers ? 'subdomain' : settings.way;
+  const isOfLayers = way === 'layers';
+  const { colouring, colourOf } = useColouring(props, way);
+  const layers = useMemo(() => overlaysOf(maps.layers.loaded, 'layers'), [maps.layers.loaded]);
+  const defects = useMemo(() => overlaysOf(maps.defects.loaded, 'defects'), [maps.defects.loaded]);
+  const overlays = useMemo(
+    () => [...(isOfLayers ? layers.overlays : []), ...(settings.marks ? defects.overlays : [])],
+    [isOfLayers, layers, defects, settings.marks],
+  );
+  const surfaces = useMemo(
+    () => (isOfLayers ? noSurfaces : new Map(loaded.map(({ line, surface }) => [line.path, surface]))),
+    [loaded, isOfLayers],
+  );
+  const drawn = useMemo(() => [...surfaces.values(), ...overlays.map(({ surface }) => surface)], [surfaces, overlays]);
+  const cut = useCut(settings, drawn);
+  const ofMaps = isOfLayers ? layers.legend : shown.length > 0 ? colouring.legend : [];
   return (
     <>
-      <div class="row filters">
-        <Choice
-          label="Colour by"
-          value={way}
-          options={ways.map((value) => ({ value, words: wayWords[value] }))}
-          onChange={(value) => go(value as Way)}
-        />
-        <label class="field grows">
-          <span>Pulled apart</span>
-          <input
-            type="range"
-            min={0}
-            max={200}
-            value={exploded}
-            aria-valuetext={`${exploded} %`}
-            onInput={(event) => explode(Number(event.currentTarget.value))}
-          />
-        </label>
-        {worst && (
-          <label class="check">
-            <input type="checkbox" checked={marks} onChange={(event) => mark(event.currentTarget.checked)} />
-            <span>◆ the smallest angle, {figure(worst.degrees)}°, at {worst.at.map(figure).join(', ')}</span>
-          </label>
-        )}
-      </div>
+      <ShapeControls
+        settings={{ ...settings, way }}
+        change={change}
+        ways={ways.filter((one) => one !== 'layers' || maps.hasLayers)}
+        worst={worst}
+        hasDefects={defects.overlays.length > 0}
+        cutAt={cut?.at ?? 0}
+      />
       <ShapeCanvas
         surfaces={surfaces}
         colourOf={colourOf}
-        exploded={exploded / 100}
-        mark={marks ? worst?.at : undefined}
+        exploded={settings.apart / 100}
+        mark={settings.marks ? worst?.at : undefined}
+        cut={cut}
+        overlays={overlays}
         label={`The job’s sub-domains in space, coloured by ${wayWords[way].toLowerCase()}. Arrow keys turn, plus and minus zoom, 0 shows all. The table below has the same.`}
         onChoose={choose}
       />
       <Chosen shown={shown.find(({ path }) => path === chosen)} />
-      <Legend way={way} lines={colouring.legend} remark={colouring.remark} />
+      <Legend way={way} lines={[...ofMaps, ...(settings.marks ? defects.legend : [])]} remark={isOfLayers ? '' : colouring.remark} />
     </>
   );
 }
@@ -279,22 +359,27 @@ interface TabProps {
 export function ShapeTab({ job, tasks, attempts }: TabProps) {
   const asked = useSurfaceList(job);
   const list = asked.value;
+  const [settings, change] = useShapeSettings();
   const { surfaces: loaded, toCome, failed, trouble } = useSurfaces(job.job, list);
+  const maps = useMaps(job, settings.way);
   const shown = useMemo(() => {
     const meshing = meshingOf(tasks, attempts);
     return (list?.surfaces ?? []).map((line) => shownOf(line, meshing.get(line.path)));
   }, [list, tasks, attempts]);
   const worst = useMemo(() => worstPlaceOf(job.result), [job.result]);
   if (!list) return asked.error ? <Trouble error={asked.error} /> : <Waiting what="Asking for the sub-domains…" />;
-  if (list.surfaces.length === 0) return <Empty>No sub-domains yet.</Empty>;
+  const hasSubdomains = list.surfaces.length > 0;
+  if (!hasSubdomains && maps.maps.length === 0) return <Empty>No sub-domains yet.</Empty>;
+  const view = { list, loaded, shown, worst, maps, settings, change };
   return (
     <>
       <Trouble error={asked.error} isKnown />
-      <Summary list={list} loaded={loaded} toCome={toCome} />
+      {hasSubdomains && <Summary list={list} loaded={loaded} toCome={toCome} />}
       <Missing list={list} failed={failed} trouble={trouble} />
-      {list.sees_files && <SpaceView list={list} loaded={loaded} shown={shown} worst={worst} />}
-      <h2>Sub-domains</h2>
-      <Table shown={shown} />
+      <Defects maps={maps} />
+      {list.sees_files && <SpaceView {...view} />}
+      {hasSubdomains && <h2>Sub-domains</h2>}
+      {hasSubdomains && <Table shown={shown} />}
     </>
   );
 }

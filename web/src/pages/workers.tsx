@@ -125,6 +125,23 @@ function DrainAct({ worker, onDone }: { worker: Worker; onDone: () => void }) {
   );
 }
 
+function RetryHost({ host, onDone }: { host: string; onDone: () => void }) {
+  const name = harmlessName(host, 80);
+  return (
+    <Act
+      label="Retry"
+      title={`Retry ${name}?`}
+      confirm="Retry it"
+      path={`/hosts/${inAddress(host)}/retry`}
+      outcome={(answer) => (countOf(answer) > 0 ? `${name} is out of quarantine; its workers get tasks again.` : 'It was not in quarantine.')}
+      onDone={onDone}
+    >
+      Tasks kept crashing on <Name text={host} longest={80} />, and its workers get none. From now on they do again; see
+      first that what was wrong with it is no longer so.
+    </Act>
+  );
+}
+
 interface HostProps {
   host: string;
   workers: readonly Worker[];
@@ -172,22 +189,25 @@ function WorkerRow({ worker, running, nowMs, acts, onDone }: Omit<HostProps, 'ho
 }
 
 function Host(props: HostProps) {
-  const { host, workers, acts } = props;
+  const { host, workers, acts, onDone } = props;
   const isOut = workers.some((worker) => worker.host_in_quarantine);
   const name = harmlessName(host, 80);
   return (
     <section class="host">
-      <h2>
-        <Name text={host} longest={80} /> <small>{counted(workers.length, 'worker')}</small>{' '}
-        {isOut && (
-          <span class="state bad">
-            <span class="symbol" aria-hidden="true">
-              ✕
+      <div class="row between">
+        <h2>
+          <Name text={host} longest={80} /> <small>{counted(workers.length, 'worker')}</small>{' '}
+          {isOut && (
+            <span class="state bad">
+              <span class="symbol" aria-hidden="true">
+                ✕
+              </span>
+              in quarantine
             </span>
-            in quarantine
-          </span>
-        )}
-      </h2>
+          )}
+        </h2>
+        {isOut && acts && <RetryHost host={host} onDone={onDone} />}
+      </div>
       <div class="scroller" tabIndex={0} role="region" aria-label={`Workers of ${name}`}>
         <table class="workers">
           <thead>

@@ -12,7 +12,10 @@ export interface ActProps {
   title: string;
   children: ComponentChildren;
   confirm: string;
+  /** With a number, what comes before it. */
   path: string;
+  /** That is asked for in the dialog. */
+  number?: { words: string; value: number; least: number; most: number };
   isGrave?: boolean;
   /** In words, what the server's answer means. */
   outcome: (answer: Record<string, unknown>) => string;
@@ -35,9 +38,10 @@ export function Act(props: ActProps) {
   );
 }
 
-async function outcomeOf(props: ActProps): Promise<Outcome> {
+async function outcomeOf(props: ActProps, number: number): Promise<Outcome> {
+  const path = props.number ? `${props.path}${number}` : props.path;
   try {
-    return { text: props.outcome(await act<Record<string, unknown>>(props.path)), isBad: false };
+    return { text: props.outcome(await act<Record<string, unknown>>(path)), isBad: false };
   } catch (error) {
     if (error instanceof ApiError) return { text: error.message, help: error.help, isBad: true };
     throw error;
@@ -57,14 +61,41 @@ function OutcomeText({ came }: { came: Outcome }) {
   );
 }
 
+interface NumberProps {
+  asked: NonNullable<ActProps['number']>;
+  value: number;
+  onChange: (value: number) => void;
+}
+
+function NumberField({ asked, value, onChange }: NumberProps) {
+  return (
+    <label class="field">
+      <span>{asked.words}</span>
+      <input
+        type="number"
+        step={1}
+        min={asked.least}
+        max={asked.most}
+        value={Number.isNaN(value) ? '' : value}
+        onInput={(event) => onChange(event.currentTarget.valueAsNumber)}
+      />
+    </label>
+  );
+}
+
+function isAllowed(asked: ActProps['number'], value: number): boolean {
+  return !asked || (Number.isInteger(value) && value >= asked.least && value <= asked.most);
+}
+
 function ActDialog({ props, onClose }: { props: ActProps; onClose: () => void }) {
   const [isBusy, busy] = useState(false);
   const [came, set] = useState<Outcome>();
+  const [number, take] = useState(props.number?.value ?? 0);
   const dialog = useRef<HTMLDialogElement>(null);
   useLayoutEffect(() => dialog.current?.showModal(), []);
   const go = async () => {
     busy(true);
-    const outcome = await outcomeOf(props);
+    const outcome = await outcomeOf(props, number);
     busy(false);
     set(outcome);
     if (!outcome.isBad) props.onDone?.();
@@ -78,6 +109,7 @@ function ActDialog({ props, onClose }: { props: ActProps; onClose: () => void })
     <dialog ref={dialog} aria-label={title} onClose={onClose}>
       <h2>{title}</h2>
       {came ? <OutcomeText came={came} /> : <div>{props.children}</div>}
+      {!came && props.number && <NumberField asked={props.number} value={number} onChange={take} />}
       <div class="row end">
         <button type="button" class="button" onClick={close}>
           {came ? 'Close' : 'Leave it'}
@@ -86,7 +118,7 @@ function ActDialog({ props, onClose }: { props: ActProps; onClose: () => void })
           <button
             type="button"
             class={props.isGrave ? 'button grave filled' : 'button filled'}
-            disabled={isBusy}
+            disabled={isBusy || !isAllowed(props.number, number)}
             onClick={() => void go()}
           >
             {props.confirm}

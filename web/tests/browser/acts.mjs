@@ -29,6 +29,28 @@ test('a job is cancelled after a confirmation, and not without', async () => {
   await close();
 });
 
+test('a job gets another priority, a whole one within its bounds', async () => {
+  const { mock, address } = await ownFarm();
+  const { page, close } = await open('/jobs/job-10', { base: address });
+  const dialog = page.getByRole('dialog');
+  await page.getByRole('button', { name: 'Priority' }).click();
+  await dialog.getByText('the highest priority first').waitFor();
+  const confirm = dialog.getByRole('button', { name: 'Set the priority' });
+  const field = dialog.getByLabel('Priority, from −1000 to 1000');
+  for (const wrong of ['', '1.5', '1001', '-1001']) {
+    await field.fill(wrong);
+    assert.ok(await confirm.isDisabled(), `${wrong} is refused`);
+  }
+  await field.fill('-20');
+  await confirm.click();
+  await dialog.getByText('job-10 has priority -20.').waitFor();
+  assert.deepEqual(posts(mock), ['POST /api/v1/jobs/job-10/priority']);
+  assert.equal(mock.jobOf('job-10').job.priority, -20);
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await page.locator('.figures').getByText('Priority').waitFor();
+  await close();
+});
+
 test('a failed job is tried again', async () => {
   const { mock, address } = await ownFarm();
   const { page, close } = await open('/jobs/job-7', { base: address });
@@ -72,6 +94,24 @@ test('a worker is drained', async () => {
   await close();
 });
 
+test('a host is taken out of quarantine, whatever its name is', async () => {
+  const { mock, address } = await ownFarm();
+  const host = 'node/1 <b>';
+  for (const worker of mock.farm.workers.slice(0, 2)) Object.assign(worker, { host, host_in_quarantine: true });
+  const { page, close } = await open('/workers', { base: address });
+  const section = page.locator('section.host', { hasText: host });
+  await section.getByText('in quarantine').waitFor();
+  await section.getByRole('button', { name: 'Retry' }).click();
+  const dialog = page.getByRole('dialog');
+  await dialog.getByText('Tasks kept crashing on').waitFor();
+  await dialog.getByRole('button', { name: 'Retry it' }).click();
+  await dialog.getByText('is out of quarantine').waitFor();
+  assert.deepEqual(posts(mock), ['POST /api/v1/hosts/node%2F1%20%3Cb%3E/retry']);
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await until(async () => (await section.getByText('in quarantine').count()) === 0, 'the host to be in');
+  await close();
+});
+
 test('an act that fails says why and what to do', async () => {
   const { mock, address } = await ownFarm();
   const { page, close } = await open('/jobs/job-10', { base: address, mayFail: true });
@@ -91,7 +131,7 @@ test('a page that may only look offers no acts', async () => {
     const { page, close } = await open(path, { base: address });
     await page.getByText('this page only looks').waitFor();
     await until(async () => (await page.locator('h1 .state, section.host').count()) > 0, 'the page');
-    for (const name of ['Cancel', 'Retry', 'Drain']) assert.equal(await page.getByRole('button', { name }).count(), 0);
+    for (const name of ['Cancel', 'Retry', 'Drain', 'Priority']) assert.equal(await page.getByRole('button', { name }).count(), 0);
     await close();
   }
 });

@@ -17,7 +17,7 @@ async function answerOf(path) {
 async function allPages() {
   const { jobs } = await answerOf('/api/v1/jobs');
   const ids = isReal ? jobs.slice(0, 1).map(({ job }) => job) : ['job-10', 'job-7', 'job-8'];
-  const pages = ['/', '/workers', '/events', '/nothing/here'];
+  const pages = ['/', '/workers', '/events', '/nothing/here', `/jobs/${isReal ? jobs[0].job : 'job-8'}/shape#colour=layers&cut=z&at=40`];
   for (const id of ids) {
     for (const tab of ['', '/shape', '/timeline', '/balance', '/quality', '/tasks', '/events']) pages.push(`/jobs/${id}${tab}`);
     const { rows } = await answerOf(`/api/v1/jobs/${id}/tasks?columns=task&limit=1`);

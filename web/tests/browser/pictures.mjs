@@ -9,7 +9,7 @@ const folder = process.env.TETFARM_PICTURES;
 const pictures = [
   ['jobs', '/'],
   ['tree', '/jobs/job-10'],
-  ['shape', '/jobs/job-8/shape'],
+  ['shape', '/jobs/job-8/shape#apart=15&cut=z&at=60'],
   ['timeline', '/jobs/job-10/timeline'],
   ['workers', '/workers'],
 ];
@@ -21,8 +21,7 @@ test('pictures of the pages', { skip: folder ? false : 'TETFARM_PICTURES is not 
   for (const [name, path] of pictures) {
     const { page, close } = await open(path, { base: address, colorScheme: 'light' });
     await settled(page);
-    if (path.endsWith('/shape')) {
-      await page.getByLabel('Pulled apart').fill('40');
+    if (path.includes('/shape')) {
       await page.locator('canvas.shape').scrollIntoViewIfNeeded();
     } else if (path.startsWith('/jobs')) {
       await drawn(page);

@@ -137,6 +137,94 @@ test('sub-domains are added as they are made, and each is fetched once', async (
   await close();
 });
 
+test('a plane cuts what is drawn, by keys too, and the address remembers all that is set', async () => {
+  const { address } = await ownFarm();
+  const { page, close } = await open('/jobs/job-8/shape', { base: address });
+  await allDrawn(page, 24);
+  assert.equal(await number(page, 'lines'), 0);
+  const whole = await seen(page);
+  const axis = page.getByLabel('Cut across');
+  await axis.focus();
+  await page.keyboard.press('ArrowDown');
+  await until(async () => (await number(page, 'lines')) > 0, 'lines where the plane goes through');
+  const slider = page.getByRole('slider', { name: 'Cut at x = 0.5000' });
+  await slider.focus();
+  await page.keyboard.press('ArrowLeft');
+  await page.getByRole('slider', { name: 'Cut at x = 0.4950' }).fill('20');
+  await page.waitForTimeout(300);
+  const part = await seen(page);
+  assert.ok(part.share < 0.8 * whole.share, `${part.share} of ${whole.share} is left`);
+  await page.getByLabel('Keep').selectOption('above');
+  await page.getByLabel('Colour by').selectOption('patch');
+  await page.getByLabel('Pulled apart').fill('30');
+  await page.getByLabel(/the smallest angle/).uncheck();
+  await page.waitForURL('**/jobs/job-8/shape#colour=patch&apart=30&marks=no&cut=x&at=20&keep=above');
+  await page.reload();
+  await allDrawn(page, 24);
+  await page.getByRole('slider', { name: 'Cut at x = 0.2000' }).waitFor();
+  assert.equal(await page.getByLabel('Keep').inputValue(), 'above');
+  assert.equal(await page.getByLabel('Colour by').inputValue(), 'patch');
+  assert.equal(await page.getByLabel('Pulled apart').inputValue(), '30');
+  assert.equal(await page.getByLabel(/the smallest angle/).isChecked(), false);
+  assert.ok((await number(page, 'lines')) > 0);
+  await axis.selectOption('none');
+  await until(async () => (await number(page, 'lines')) === 0, 'the whole');
+  await close();
+});
+
+test('what the cut has taken away is not clicked at', async () => {
+  const { address } = await ownFarm();
+  const { page, close } = await open('/jobs/job-8/shape#cut=z&at=95&keep=above', { base: address });
+  await allDrawn(page, 24);
+  await canvasOf(page).click();
+  await page.waitForTimeout(200);
+  await page.locator('.tip').getByText('Drag or arrow keys').waitFor();
+  await page.getByLabel('Keep').selectOption('below');
+  await canvasOf(page).click();
+  await page.locator('.tip').getByText(/meshed, worker-/).waitFor();
+  await close();
+});
+
+test('defects are drawn where they are, in words too, over sub-domains and where there are none', async () => {
+  const { mock, address } = await ownFarm();
+  const { page, close } = await open('/jobs/job-7/shape', { base: address });
+  await allDrawn(page, 8);
+  await until(async () => (await number(page, 'overlays')) === 1, 'the defects');
+  await page.getByText('2 triangles with defects').getByText('<b>self-intersection</b>').waitFor();
+  await page.locator('ul.legend').getByText('open edge').waitFor();
+  await page.getByLabel('defects', { exact: true }).uncheck();
+  await until(async () => (await number(page, 'overlays')) === 0, 'no defects');
+  await close();
+  mock.jobOf('job-7').tasks.length = 1;
+  const refused = await open('/jobs/job-7/shape', { base: address });
+  await until(async () => (await number(refused.page, 'triangles')) === 2, 'two triangles', 30_000);
+  assert.ok((await seen(refused.page)).colours >= 2);
+  assert.equal(await refused.page.getByRole('table').count(), 0);
+  await refused.close();
+  mock.isMapGone = true;
+  const gone = await open('/jobs/job-7/shape', { base: address });
+  await gone.page.getByText('some.defects.vtp cannot be drawn').waitFor();
+  await gone.close();
+});
+
+test('the wall is coloured by the layers that stand on it, where the job has a map of them', async () => {
+  const { mock, address } = await ownFarm();
+  const { page, close } = await open('/jobs/job-8/shape', { base: address });
+  await allDrawn(page, 24);
+  assert.ok(!mock.requests.some((line) => /maps\/\d/.test(line)), 'the map is not fetched before it is wanted');
+  await page.getByLabel('Colour by').selectOption('layers');
+  await until(async () => (await number(page, 'overlays')) === 1 && (await number(page, 'parts')) === 0, 'the wall alone');
+  const legend = page.locator('ul.legend');
+  await legend.getByText('no layers').waitFor();
+  await legend.getByText('17 to 20 layers').waitFor();
+  assert.ok((await seen(page)).colours >= 5);
+  await close();
+  const other = await open('/jobs/job-10/shape#colour=layers', { base: address });
+  await allDrawn(other.page, 160);
+  assert.equal(await other.page.getByLabel('Colour by').inputValue(), 'subdomain');
+  await other.close();
+});
+
 test('what cannot be drawn is said: files that are gone, a store that is not seen, no WebGL', async () => {
   const { mock, address } = await ownFarm();
   mock.goneFiles = new Set(mock.jobOf('job-8').tasks.filter(({ kind }) => kind === 'mesh').slice(0, 3).map(({ path }) => path));

@@ -1,9 +1,10 @@
 #include "mesh/formats/medit/medit_file.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <limits>
 
+#include "mesh/formats/medit/read_medit.h"
 #include "tests/mesh/formats/mesh_listing.h"
 #include "tests/mesh/formats/turned_bytes.h"
 #include "tests/mesh/formats/wrong_bytes.h"
@@ -117,7 +118,8 @@ TEST(MeditFile, says_what_is_wrong_with_a_mesh_and_where) {
        {12, raw_bytes(8), at(12, "a list gives a wrong place for the next: byte 8")},
        {12, raw_bytes(9999), at(12, "a list gives a wrong place for the next: byte 9999")},
        {12, raw_bytes(19), at(8, "a list runs past the beginning of the next")},
-       {16, raw_bytes(2), at(16, "the mesh is not three-dimensional")},
+       {16, raw_bytes(2),
+        at(16, "the mesh is not three-dimensional; `tetfarm adapt` takes meshes of the plane")},
        {vertices + 8, raw_bytes(-1),
         at(vertices + 8, "a count of -1, but the file has only " + bytes + " bytes")},
        {vertices + 8, raw_bytes(99),
@@ -142,8 +144,13 @@ TEST(MeditFile, says_what_is_wrong_with_a_mesh_and_where) {
 
 TEST(MeditFile, says_what_is_wrong_with_a_surface_and_where) {
   std::string right = Gmf(2, false).file();
-  EXPECT_EQ(surface_refusal_of("a.meshb", right),
-            at(quads + 8, "has quadrangles: only triangles are supported"));
+  expect_refusals_of_bytes(
+      "a.meshb", right,
+      {{quads + 12, raw_bytes(6), at(quads + 12, "vertex 6 of 5 (counted from 1)")}},
+      surface_refusal_of);
+  const SurfaceMesh with_quads = read_medit(right, "a.meshb");
+  EXPECT_THAT(with_quads.patch_names, testing::ElementsAre("reference 3", "reference 4"));
+  EXPECT_THAT(with_quads.patch_of_triangle, testing::ElementsAre(0, 1, 1));
   right.replace(quads, 4, raw_bytes(99));  // a list of no kind
   expect_refusals_of_bytes(
       "a.meshb", right,

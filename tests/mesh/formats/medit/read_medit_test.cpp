@@ -103,8 +103,8 @@ TEST(ReadMedit, names_the_place_of_what_it_does_not_understand) {
   const auto reading = [](const std::string& bytes) {
     return [=] { read_medit(bytes, "a.mesh"); };
   };
-  EXPECT_THAT(reading(std::string(text) + "Quadrilaterals\n1\n1 2 3 4 0\n"),
-              ThrowsMessage<InvalidInput>(HasSubstr("quadrangles")));
+  EXPECT_THAT(reading(std::string(text) + "Quadrilaterals\n1\n1 2 3 6 0\n"),
+              ThrowsMessage<InvalidInput>(HasSubstr("vertex 6 of 5")));
   EXPECT_THAT(reading("MeshVersionFormatted 2\nDimension 2\n"),
               ThrowsMessage<InvalidInput>(HasSubstr("a.mesh:2: ")));
   EXPECT_THAT(reading("nothing at all"), ThrowsMessage<InvalidInput>(HasSubstr("byte 0")));

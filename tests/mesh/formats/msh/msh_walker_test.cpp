@@ -118,7 +118,7 @@ TEST(MshWalker, says_what_is_wrong_with_version_4_and_where) {
       ": only triangles, quads, tets, pyramids, prisms and hexes are supported";
   expect_refusals(
       "a.msh", text_4,
-      {{"$MeshFormat", "$NOD", "a.msh:1: expected $MeshFormat, found \"$NOD\""},
+      {{"$MeshFormat", "$NOD", "a.msh:1: Gmsh format 1 is not supported; save it as 4.1 or 2.2"},
        {"4.1 0 8", "4 0 8", "a.msh:2: Gmsh format \"4\" is not supported; save it as 4.1 or 2.2"},
        {"4.1 0 8", "4.1 2 8", "a.msh:2: the file type is not 0 or 1"},
        {"4.1 0 8", "4.1 x 8", "a.msh:2: expected the file type, found \"x\""},
@@ -183,8 +183,9 @@ TEST(MshWalker, says_what_is_wrong_with_version_2_and_where) {
 
 TEST(MshWalker, says_of_a_surface_what_is_wrong_and_where) {
   expect_refusals("a.msh", text_2,
-                  {{"3 4 4 3 1 1 7", "3 3 4 3 1 1 7",
-                    "a.msh:19: a quadrangle: only 3-node triangles are supported"},
+                  {{"3 4 4 3 1 1 7", "3 9 4 3 1 1 7",
+                    "a.msh:19: a 6-node triangle: only triangles of 3 nodes and quadrangles of 4 "
+                    "are supported"},
                    {"5 1 1 3 2", "5 1 1 3 5", "a.msh:18: there is no node 5"},
                    {"4 0 0 1", "3 0 0 1", "a.msh:14: two nodes have the tag 3"}},
                   surface_refusal_of);

@@ -106,8 +106,9 @@ TEST(ReadMshText, names_the_line_of_what_it_cannot_use) {
   const auto throws = [](const std::string& text) {
     return ThrowsMessage<InvalidInput>(HasSubstr(text));
   };
-  EXPECT_THAT(reading(nodes_2 + "1\n1 3 0 1 2 3 4\n$EndElements\n"),
-              throws("a.msh:13: a quadrangle: only 3-node triangles are supported"));
+  EXPECT_THAT(
+      reading(nodes_2 + "1\n1 10 0 1 2 3 4 1 2 3 4 1\n$EndElements\n"),
+      throws("a.msh:13: a 9-node quadrangle: only triangles of 3 nodes and quadrangles of 4"));
   EXPECT_THAT(reading(nodes_2 + "1\n1 9 0 1 2 3 4 1 2\n$EndElements\n"),
               throws("a.msh:13: a 6-node triangle"));
   EXPECT_THAT(reading(nodes_2 + "1\n1 77 0 1 2 3\n$EndElements\n"), throws("element type 77"));
@@ -121,7 +122,11 @@ TEST(ReadMshText, names_the_line_of_what_it_cannot_use) {
   EXPECT_THAT(reading(with(nodes_2, "\n4 0 0 1", "\n3 0 0 1")), throws("have the tag 3"));
   EXPECT_THAT(reading(with(nodes_2, "2.2", "4.0")), throws("save it as 4.1 or 2.2"));
   EXPECT_THAT(reading(with(nodes_2, "2.2 0 8", "2.2 0 4")), throws("8 bytes"));
-  EXPECT_THAT(reading("$NOD\n3\n"), throws("a.msh:1: expected $MeshFormat, found \"$NOD\""));
+  EXPECT_THAT(reading("$NOD\n3\n"), throws("a.msh:1: Gmsh format 1 is not supported; save"));
+  EXPECT_THAT(
+      reading("(1 \"Fluent\")\n"),
+      throws("a.msh:1: is not a mesh of Gmsh: expected $MeshFormat, found \"(1\"; Fluent and "
+             "GiD give their files the ending .msh too"));
   EXPECT_THAT(reading(format_2 + "$Other\n1 2 3\n"), throws("has no end"));
 }
 

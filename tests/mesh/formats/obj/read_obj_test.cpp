@@ -32,7 +32,7 @@ TEST(ReadObj, reads_negative_numbers_and_numbers_with_texture_and_normal) {
 }
 
 TEST(ReadObj, cuts_polygons_into_fans) {
-  EXPECT_THAT(read(square + "v 0 0.5 0\nf 1 2 3 4 5\n").triangles,
+  EXPECT_THAT(read(square + "v -1 0.5 0\nf 1 2 3 4 5\n").triangles,
               ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}, Triangle{0, 3, 4}));
 }
 

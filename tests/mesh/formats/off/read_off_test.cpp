@@ -33,7 +33,7 @@ TEST(ReadOff, names_the_line_of_what_it_does_not_understand) {
   const auto reading = [](const std::string& text) { return [=] { read(text); }; };
   const std::string square = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
   EXPECT_THAT(reading("PLY\n"), ThrowsMessage<InvalidInput>(HasSubstr("a.off:1: expected OFF")));
-  EXPECT_THAT(reading("OFF BINARY\n4 1 0\n"),
+  EXPECT_THAT(reading("OFF FOUR\n4 1 0\n"),
               ThrowsMessage<InvalidInput>(HasSubstr("expected the number of vertices")));
   EXPECT_THAT(reading(square + "3 0 1 4\n"),
               ThrowsMessage<InvalidInput>(HasSubstr("a.off:7: vertex 4 of 4")));
@@ -44,6 +44,11 @@ TEST(ReadOff, names_the_line_of_what_it_does_not_understand) {
               ThrowsMessage<InvalidInput>(HasSubstr("a.off:8: more text after the last face")));
   EXPECT_THAT(reading("OFF\n1 0 0\n0 0 inf\n"), ThrowsMessage<InvalidInput>(HasSubstr("a.off:3")));
   EXPECT_THAT(reading("OFF\n1 0 0\n0 0\n0\n"), ThrowsMessage<InvalidInput>(HasSubstr("a.off:3")));
+}
+
+TEST(ReadOff, a_binary_file_is_told_to_be_one) {
+  EXPECT_THAT([] { read_off(std::string("OFF BINARY\n\0\0\0\4", 15), "a.off"); },
+              ThrowsMessage<InvalidInput>(HasSubstr("a.off:1: is binary, which is not supported")));
 }
 
 TEST(ReadOff, a_count_that_the_file_cannot_hold_is_refused_at_once) {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "base/error.h"
 #include "tests/mesh/formats/turned_bytes.h"
 #include "tests/support/shapes.h"
@@ -52,6 +54,52 @@ TEST(ReadPly, polygons_of_text_become_fans) {
   const SurfaceMesh mesh = read(std::string(head) + "4 0 1 2 3 0.25\n");
   EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
   EXPECT_EQ(mesh.vertices[3], (Vec3{0, 1, 0.5}));
+}
+
+TEST(ReadPly, passes_over_properties_of_vertices_and_faces_that_are_not_numbers) {
+  const SurfaceMesh text = read(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float nx\nproperty float x\n"
+      "property float y\nproperty float z\nproperty float quality\nelement face 1\n"
+      "property list uchar int vertex_index\nproperty list uchar float texcoord\nend_header\n"
+      "nan 0 0 0 -nan\n-nan(ind) 1 0 0 inf\n0 0 1 0 1.#QNAN\n3 0 1 2 2 nan inf\n");
+  EXPECT_THAT(text.triangles, ElementsAre(Triangle{0, 1, 2}));
+  EXPECT_EQ(text.vertices[1], (Vec3{1, 0, 0}));
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
+      "property float y\nproperty float z\nproperty float nx\nelement face 1\n"
+      "property list uchar int vertex_index\nend_header\n";
+  for (const float x : {0.0F, 1.0F, 2.0F}) {
+    for (const float value : {x, x * x, 0.0F, std::numeric_limits<float>::quiet_NaN()}) {
+      texts::append_number(bytes, value, false);
+    }
+  }
+  bytes += '\3';
+  for (const std::int32_t corner : {0, 1, 2}) texts::append_number(bytes, corner, false);
+  EXPECT_EQ(read(bytes).vertices[2], (Vec3{2, 4, 0}));
+  bytes[bytes.find("end_header") + 11 + 3] = '\x7f';  // of the first x
+  bytes[bytes.find("end_header") + 11 + 2] = '\xc0';
+  EXPECT_THAT([&] { read(bytes); }, ThrowsMessage<InvalidInput>(HasSubstr("a coordinate is nan")));
+}
+
+TEST(ReadPly, strips_are_triangles_that_all_turn_one_way) {
+  const auto strips = [](const std::string& corners) {
+    return read(
+        "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+        "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+        "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n" +
+        corners + "\n");
+  };
+  EXPECT_THAT(strips("5 0 1 2 3 4").triangles,
+              ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 3}, Triangle{2, 3, 4}));
+  EXPECT_THAT(
+      strips("9 0 1 2 3 -1 2 3 4 5").triangles,
+      ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 3}, Triangle{2, 3, 4}, Triangle{4, 3, 5}));
+  // Strips joined by corners that are there twice, and ones too short for a triangle.
+  EXPECT_THAT(strips("8 0 1 2 2 3 3 4 5").triangles,
+              ElementsAre(Triangle{0, 1, 2}, Triangle{4, 3, 5}));
+  EXPECT_THAT(strips("5 0 1 -1 2 3").triangles, testing::IsEmpty());
+  EXPECT_THAT([&] { strips("3 0 1 6"); }, ThrowsMessage<InvalidInput>(HasSubstr("vertex 6 of 6")));
+  EXPECT_THAT([&] { strips("3 0 1 -2"); }, ThrowsMessage<InvalidInput>(HasSubstr("vertex -2")));
 }
 
 TEST(ReadPly, names_the_place_of_what_it_does_not_understand) {

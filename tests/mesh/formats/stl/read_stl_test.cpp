@@ -89,6 +89,14 @@ TEST(ReadStl, accepts_any_normal_plus_signs_capitals_and_windows_line_ends) {
   EXPECT_EQ(read_stl(text, "a.stl").vertices[1], (Vec3{1, 0, 0}));
 }
 
+TEST(ReadStl, a_facet_may_be_without_a_normal) {
+  const SurfaceMesh mesh = read_stl(
+      "solid a\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+      "endsolid a\n",
+      "a.stl");
+  EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
+}
+
 TEST(ReadStl, keeps_a_degenerate_triangle_for_the_check_to_report) {
   const std::string text = with(one_facet, "vertex +1 0 0", "vertex 0 0 0");
   EXPECT_THAT(read_stl(text, "a.stl").triangles, ElementsAre(Triangle{0, 0, 1}));

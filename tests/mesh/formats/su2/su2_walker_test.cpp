@@ -55,7 +55,8 @@ TEST(Su2Walker, says_what_is_wrong_with_a_mesh_and_where) {
   const std::string cells = "expected a tet, a hex, a prism or a pyramid, type 10, 12, 13 or 14";
   expect_refusals(
       "a.su2", a_tet,
-      {{"NDIME= 3", "NDIME= 2", "a.su2:2: the mesh is not three-dimensional"},
+      {{"NDIME= 3", "NDIME= 2",
+        "a.su2:2: the mesh is not three-dimensional; `tetfarm adapt` takes meshes of the plane"},
        {"NDIME= 3", "NDIME= x", "a.su2:2: expected the number of dimensions, found \"x\""},
        {"NDIME= 3", "NDIME 3", "a.su2:2: expected KEYWORD=, found \"NDIME\""},
        {"NELEM= 1", "NELEM= 999", "a.su2:3: a count of 999, but only 129 bytes left in the file"},
@@ -78,7 +79,10 @@ TEST(Su2Walker, says_what_is_wrong_with_a_mesh_and_where) {
 TEST(Su2Walker, says_what_is_wrong_with_a_surface_and_where) {
   expect_refusals(
       "a.su2", a_tet,
-      {{"5 0 3 2", "9 0 3 2 1", "a.su2:14: an element of a marker is not a triangle (5)"},
+      {{"5 0 3 2", "10 0 3 2 1",
+        "a.su2:14: an element of a marker has the type 10: expected a triangle (5) or a quadrangle "
+        "(9)"},
+       {"5 0 3 2", "9 0 3 2 4", "a.su2:16: vertex 4 of 4 (counted from 0)"},
        {"5 0 3 2", "5 0 3 4", "a.su2:16: vertex 4 of 4 (counted from 0)"},
        {"5 0 3 2", "5 0 3 -1", "a.su2:16: vertex -1 of 4 (counted from 0)"}},
       surface_refusal_of);

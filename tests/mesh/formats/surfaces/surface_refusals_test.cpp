@@ -131,7 +131,8 @@ TEST(SurfaceRefusals, of_medit_text) {
       "a.mesh", text,
       {{"Formatted 2", "Formatted x", "a.mesh:1: expected the version, found \"x\""},
        {"Dimension", "Size", "a.mesh:2: expected Dimension, found \"Size\""},
-       {"Dimension\n3", "Dimension\n2", "a.mesh:3: the mesh is not three-dimensional"},
+       {"Dimension\n3", "Dimension\n2",
+        "a.mesh:3: the mesh is not three-dimensional; `tetfarm adapt` takes meshes of the plane"},
        {"Vertices\n3", "Vertices\nx", "a.mesh:5: expected the length of a list, found \"x\""},
        {"Vertices\n3", "Vertices\n99",
         "a.mesh:5: a count of 99, but only 68 bytes left in the file"},
@@ -140,7 +141,7 @@ TEST(SurfaceRefusals, of_medit_text) {
        {"1 2 3 7", "1 2 x 7", "a.mesh:15: expected a vertex number, found \"x\""},
        {"1 2 3 7", "1 2 3 x", "a.mesh:15: expected a reference, found \"x\""},
        {"Corners\n1", "Quadrilaterals\n1",
-        "a.mesh:11: has quadrangles: only triangles are supported"}},
+        "a.mesh:13: expected a vertex number, found \"Triangles\""}},
       surface_refusal_of);
   EXPECT_EQ(surface_refusal_of("a.mesh", changed(text, "Corners\n1\n1\n", "Quadrilaterals\n0\n")),
             "");
@@ -153,7 +154,8 @@ TEST(SurfaceRefusals, of_ugrid_text) {
       "a.ugrid", text,
       {{"3 1 0", "x 1 0", "a.ugrid:1: expected a count, found \"x\""},
        {"3 1 0", "3 -1 0", "a.ugrid:1: a count is negative"},
-       {"3 1 0", "3 1 2", "a.ugrid:1: has quadrangles: only triangles are supported"},
+       {"3 1 0", "3 1 1", "a.ugrid:6: vertex 7 of 3 (counted from 1)"},
+       {"3 1 0", "3 1 5", "a.ugrid:1: a count of 5, but only 27 bytes left in the file"},
        {"3 1 0", "6 1 0", "a.ugrid:1: a count of 6, but only 27 bytes left in the file"},
        {"3 1 0", "3 4 0", "a.ugrid:1: a count of 4, but only 27 bytes left in the file"},
        {"1 0 0\n", "1 x 0\n", "a.ugrid:3: expected a coordinate, found \"x\""},
@@ -162,6 +164,12 @@ TEST(SurfaceRefusals, of_ugrid_text) {
        {"1 2 3", "1 2 x", "a.ugrid:5: expected a node number, found \"x\""},
        {"7\n", "x\n", "a.ugrid:6: expected a patch number, found \"x\""}},
       surface_refusal_of);
+}
+
+TEST(SurfaceRefusals, of_points_alone_say_how_many_they_are) {
+  EXPECT_EQ(surface_refusal_of("a.obj", "v 0 0 0\nv 1 0 0\n"),
+            "a.obj: the file has 2 points, but no triangles: make a surface of them first");
+  EXPECT_EQ(surface_refusal_of("a.obj", "# nothing\n"), "a.obj: the file has no triangles");
 }
 
 TEST(SurfaceRefusals, of_names_that_tell_no_format) {

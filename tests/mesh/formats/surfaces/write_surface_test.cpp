@@ -7,6 +7,8 @@
 #include "mesh/formats/off/write_off.h"
 #include "mesh/formats/stl/read_stl.h"
 #include "mesh/formats/stl/write_stl.h"
+#include "mesh/formats/surfaces/read_surface.h"
+#include "tests/base/temp_folder.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
@@ -45,6 +47,15 @@ TEST(WriteSurface, stl_keeps_coordinates_and_patches) {
 TEST(WriteSurface, stl_without_patches_has_one_solid) {
   EXPECT_EQ(read_stl(write_stl(shapes::unit_cube()), "a.stl").triangles.size(), 12U);
   EXPECT_THAT(write_stl(shapes::unit_cube()), testing::StartsWith("solid surface\n"));
+}
+
+TEST(WriteSurface, takes_endings_in_upper_case_as_reading_does) {
+  const TempFolder folder;
+  for (const char* name : {"A.STL", "a.Off"}) {
+    const std::string path = (folder.path() / name).string();
+    write_surface(shapes::unit_cube(), path);
+    EXPECT_EQ(read_surface(path).triangles.size(), 12U) << name;
+  }
 }
 
 TEST(WriteSurface, other_endings_are_usage_errors) {

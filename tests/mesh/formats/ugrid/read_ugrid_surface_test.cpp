@@ -73,9 +73,26 @@ TEST(ReadUgridSurface, names_the_byte_of_what_is_wrong) {
   bytes[28 + 8 * 24] = 99;
   EXPECT_THAT(reading(bytes),
               ThrowsMessage<InvalidInput>(HasSubstr("byte 220: vertex 99 of 8 (counted from 1)")));
-  bytes[8] = 1;
-  bytes.append(20, '\0');  // it and its patch
-  EXPECT_THAT(reading(bytes), ThrowsMessage<InvalidInput>(HasSubstr("quadrangles")));
+}
+
+TEST(ReadUgridSurface, reads_quadrangles_of_binary_files_behind_the_triangles) {
+  for (const bool is_big : {false, true}) {
+    std::string bytes;
+    for (const std::int32_t number : {4, 1, 1, 0, 0, 0, 0}) {
+      texts::append_number(bytes, number, is_big);
+    }
+    for (const double x : {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0}) {
+      texts::append_number(bytes, x, is_big);
+    }
+    for (const std::int32_t number : {1, 2, 3, 4, 3, 2, 1, 7, 9}) {
+      texts::append_number(bytes, number, is_big);
+    }
+    const SurfaceMesh mesh = read_ugrid_surface(bytes, is_big ? "a.b8.ugrid" : "a.lb8.ugrid");
+    EXPECT_THAT(mesh.triangles,
+                ElementsAre(Triangle{0, 1, 2}, Triangle{3, 2, 1}, Triangle{3, 1, 0}));
+    EXPECT_THAT(mesh.patch_names, ElementsAre("patch 7", "patch 9"));
+    EXPECT_THAT(mesh.patch_of_triangle, ElementsAre(0, 1, 1));
+  }
 }
 
 }  // namespace

@@ -71,10 +71,11 @@ TEST(UgridSource, as_a_surface_says_what_is_wrong_and_where) {
       {{triangles, raw_bytes(5), at(triangles, "vertex 5 of 4 (counted from 1)")},
        {triangles + 20, raw_bytes(0), at(triangles + 20, "vertex 0 of 4 (counted from 1)")}},
       surface_refusal_of);
-  std::string quads = ugrid_tet<std::int32_t>() + std::string(20, '\0');
+  std::string quads = ugrid_tet<std::int32_t>() + std::string(4, '\0');
+  quads.insert(triangles + 4 * 12, 16, '\0');
   quads[8] = 1;
   EXPECT_EQ(surface_refusal_of("a.lb8.ugrid", quads),
-            at(0, "has quadrangles: only triangles are supported"));
+            at(triangles + 4 * 12, "vertex 0 of 4 (counted from 1)"));
 }
 
 /// What is said when that file lies beside the mesh.
