@@ -11,6 +11,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
+#include "mesh/layers/column_shape.h"
 #include "mesh/layers/costly_fans.h"
 #include "mesh/layers/first_heights.h"
 #include "mesh/layers/layer_proof.h"
@@ -40,6 +41,12 @@ constexpr double least_of_first_height = 0.99;
 
 /// A line is made lower so many times before it loses layers.
 constexpr int most_lowered = 8;
+
+/// Of the scaled Jacobian of a straight prism, those further up are to keep so much.
+constexpr double least_share_of_jacobian = 0.3;
+
+/// For its prisms' shape a line keeps at least this share of its height each time.
+constexpr double least_share_of_height = 0.8;
 
 /// Above the first layer a line is at most so many times as long as the layers are high: at the tip
 /// of a needle those further up are lower, and no spike.
@@ -108,6 +115,7 @@ class Planning {
     Leans leans(plan_.lines.size(), 0);
     if (const std::optional<UsageError> refusal = grow_by(leans)) throw *refusal;
     for (int round = 0; round < rounds_of_leaning; ++round) try_leans(leans);
+    keep_shapes(leans);
     return std::move(plan_);
   }
 
@@ -268,6 +276,57 @@ class Planning {
     std::vector<Vec3> along = unlevelled_;
     level_first_heights(ground(), is_held_, along);
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) plan_.lines[i].along = along[i];
+  }
+
+  /// Where prisms lose their shape on the way up, their lines grow less, as long as no layer is
+  /// lost.
+  void keep_shapes(const Leans& leans) {
+    if (poor_layers(shaped_layers()) == 0) return;
+    const LayerPlan grown = plan_;
+    if (grow_by(leans)) {
+      plan_ = grown;
+      return;
+    }
+    LayerPlan best = plan_;
+    std::vector<int> shaped = shaped_layers();
+    std::int64_t fewest = poor_layers(shaped);
+    for (int round = 0; round < most_lowered && lower_for_shape(shaped); ++round) {
+      fit_heights();
+      if (prove() || missing_of_lines(plan_) > missing_of_lines(best)) break;
+      shaped = shaped_layers();
+      const std::int64_t poor = poor_layers(shaped);
+      if (poor >= fewest) continue;
+      fewest = poor;
+      best = plan_;
+    }
+    plan_ = std::move(best);
+  }
+
+  std::vector<int> shaped_layers() const {
+    return well_shaped_layers(plan_, surface_, least_share_of_jacobian);
+  }
+
+  std::int64_t poor_layers(const std::vector<int>& shaped) const {
+    std::int64_t poor = 0;
+    for (std::size_t i = 0; i < shaped.size(); ++i) poor += plan_.lines[i].stop - shaped[i];
+    return poor;
+  }
+
+  /// Returns whether a line is to be lower.
+  bool lower_for_shape(const std::vector<int>& shaped) {
+    bool any_lower = false;
+    for (std::size_t i = 0; i < shaped.size(); ++i) {
+      const LayerLine& line = plan_.lines[i];
+      const bool may_grow_less = !follows_ways(i) && request_of(i).room == RoomRule::ratio;
+      if (shaped[i] == line.stop || !may_grow_less) continue;
+      const std::vector<double> levels = levels_of(line.law, line.stop);
+      const double height = std::max({levels[at(shaped[i])], least_height(line.law, line.stop),
+                                      least_share_of_height * levels.back()});
+      if (height >= levels.back()) continue;
+      rooms_[i] = height;
+      any_lower = true;
+    }
+    return any_lower;
   }
 
   /// Lets the lines in the middle of slivers go between those at the ends, as high as these, where
