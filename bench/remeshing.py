@@ -7,10 +7,11 @@
 
 All get the same closed surface and keep its edges sharper than 30 degrees. One program that shares no code with ours
 (bench/remeshing_with_cgal.cpp) judges all: whether the result is closed, of the same Euler number and free of triangles that
-meet, its angles, and how far it and the input are from each other, at 15 points of each triangle. "Free" triangles have no
-corner on a sharp edge. Ours shortens edges for curvature and narrow places, the others have one length; edges are compared
-with that. The remeshed surface is then meshed inside by `tetfarm run`. Seconds are CPU time of remeshing alone for the others,
-of the whole command for ours. A program that is not installed, or over its time limit, is left out and named.
+meet, its angles, and how far it and the input are from each other, at 15 points of each triangle. An input that touches itself
+along edges is open to that program, and so is what comes of it. "Free" triangles have no corner on a sharp edge. Ours shortens
+edges for curvature and narrow places, the others have one length; edges are compared with that. The remeshed surface is then
+meshed inside by `tetfarm run`. Seconds are CPU time of remeshing alone for the others, of the whole command for ours. A program
+that is not installed, or over its time limit, is left out and named.
 """
 
 import argparse
@@ -91,7 +92,8 @@ def row(name, part, program, seconds, judged, meshed):
     if judged is None:
         return f"| {name} | 1/{part} | {program} | | | | | | | | | | {str(seconds).replace('|', '/')} | | |"
     is_sound = judged["closed"] and judged["self_intersections"] == 0 and judged["euler"] == judged["euler_before"]
-    wrong = "sound" if is_sound else (f"{'closed' if judged['closed'] else 'open'}, {judged['self_intersections']} meet, "
+    touches = not judged["closed_before"] and judged["self_intersections_before"] > 0 and judged["euler"] == judged["euler_before"]
+    wrong = "sound" if is_sound else "touches itself, as the input" if touches else (f"{'closed' if judged['closed'] else 'open'}, {judged['self_intersections']} meet, "
                                       f"Euler {judged['euler_before']} → {judged['euler']}")
     free = "–" if judged["free"] == 0 else f"{judged['smallest_free_deg']:.1f} | {100 * judged['free_below_30'] / judged['free']:.2f}"
     return (f"| {name} | 1/{part} | {program} | {judged['triangles']} | {seconds:.2f} | {wrong} | {judged['smallest_deg']:.2f} | "

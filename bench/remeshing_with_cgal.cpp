@@ -105,6 +105,13 @@ double farthest(const Mesh& from, const Tree& to) {
   return std::sqrt(farthest2);
 }
 
+/// Pairs of triangles that share more than their common corners.
+std::size_t meeting_pairs(const Mesh& mesh) {
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
+  processing::self_intersections(mesh, std::back_inserter(pairs));
+  return pairs.size();
+}
+
 struct Shapes {
   double smallest_deg = 180;
   double smallest_free_deg = 180;  ///< of triangles without a corner on a sharp edge
@@ -153,8 +160,6 @@ Shapes shapes_of(Mesh& mesh) {
 void judge(const std::string& in, const std::string& remeshed, double edge) {
   const Mesh before = read(in);
   Mesh after = read(remeshed);
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> meeting;
-  processing::self_intersections(after, std::back_inserter(meeting));
   const Tree tree_before(faces(before).first, faces(before).second, before);
   const Tree tree_after(faces(after).first, faces(after).second, after);
   const auto euler = [](const Mesh& mesh) {
@@ -172,8 +177,11 @@ void judge(const std::string& in, const std::string& remeshed, double edge) {
   const Shapes shapes = shapes_of(after);
   std::cout << std::setprecision(9) << std::boolalpha
             << "{\"triangles\":" << after.number_of_faces()
+            << ",\"closed_before\":" << CGAL::is_closed(before)
             << ",\"closed\":" << CGAL::is_closed(after) << ",\"euler_before\":" << euler(before)
-            << ",\"euler\":" << euler(after) << ",\"self_intersections\":" << meeting.size()
+            << ",\"euler\":" << euler(after)
+            << ",\"self_intersections_before\":" << meeting_pairs(before)
+            << ",\"self_intersections\":" << meeting_pairs(after)
             << ",\"smallest_deg\":" << shapes.smallest_deg << ",\"free\":" << shapes.free
             << ",\"smallest_free_deg\":" << shapes.smallest_free_deg
             << ",\"free_below_30\":" << shapes.free_below_30
