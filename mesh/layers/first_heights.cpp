@@ -28,7 +28,7 @@ constexpr double least_at_corner = 0.7;
 constexpr double least_mobility = 0.05;
 
 /// What is less does not count.
-constexpr double rounding = 1e-3;
+constexpr double negligible = 1e-3;
 
 class Levelling {
  public:
@@ -88,13 +88,13 @@ class Levelling {
       for (const std::int32_t line : lines) {
         move(line, face, 3 * (wanted - mean) * mobility_[at(line)] / mobility);
       }
-      moved = std::abs(mean - wanted) > rounding;
+      moved = std::abs(mean - wanted) > negligible;
     }
     for (const std::int32_t line : lines) {
       const double height = dot(along_[at(line)], normal(face));
       if (height >= least_at_corner || mobility_[at(line)] == 0) continue;
       move(line, face, least_at_corner - height);
-      moved = moved || least_at_corner - height > rounding;
+      moved = moved || least_at_corner - height > negligible;
     }
     return moved;
   }
@@ -110,7 +110,7 @@ class Levelling {
       way = ground_.planes.planes[at(first)].along(way);
     }
     const double gain = dot(way, normal(face));
-    if (!(gain > rounding)) return;  // the line cannot get any higher there
+    if (!(gain > negligible)) return;  // the line cannot get any higher there
     along += higher / gain * way;
   }
 

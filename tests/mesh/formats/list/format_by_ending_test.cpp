@@ -28,7 +28,8 @@ TEST(FormatByEnding, is_the_wanted_one_with_the_longest_ending_at_the_end_of_the
   EXPECT_EQ(found("wing.c", any), "two");
   EXPECT_EQ(found("wing.a.c", any), "two");
   EXPECT_EQ(found("wing.a.old", any), "none");
-  EXPECT_EQ(found("wing.A", any), "none");
+  EXPECT_EQ(found("wing.A", any), "one") << "endings have no case";
+  EXPECT_EQ(found("wing.B.a", any), "two");
   EXPECT_EQ(found("", any), "none");
   EXPECT_EQ(found("wing.b.a", [](const Format& format) { return format.name != "two"; }), "three");
   EXPECT_EQ(found("wing.c", [](const Format& format) { return format.name != "two"; }), "none");

@@ -38,8 +38,9 @@ TEST(ReadSu2, a_surface_alone_is_its_elements) {
 TEST(ReadSu2, names_the_line_of_what_it_does_not_understand) {
   const auto reading = [](const std::string& text) { return [=] { read(text); }; };
   EXPECT_THAT(reading("NDIME= 2\n"), ThrowsMessage<InvalidInput>(HasSubstr("a.su2:1: ")));
-  EXPECT_THAT(reading(std::string(tet) + "MARKER_ELEMS= 1\n9 0 1 2 3\n"),
-              ThrowsMessage<InvalidInput>(HasSubstr("a.su2:14: an element of a marker")));
+  EXPECT_THAT(
+      reading(std::string(tet) + "MARKER_ELEMS= 1\n10 0 1 2 3\n"),
+      ThrowsMessage<InvalidInput>(HasSubstr("a.su2:14: an element of a marker has the type 10")));
   EXPECT_THAT(reading(std::string(tet) + "MARKER_ELEMS= 1\n5 0 1 5\n"),
               ThrowsMessage<InvalidInput>(HasSubstr("vertex 5 of 5")));
   EXPECT_THAT(reading("NPOIN= 1000000\n0 0 0\n"),
