@@ -138,7 +138,8 @@ def main():
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("--slurm", action="store_true")
     arguments = parser.parse_args()
-    with tempfile.TemporaryDirectory() as name:
+    # What ends last, such as Slurm's daemons, may still write as the folder is removed.
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:
         folder = pathlib.Path(name).resolve()
         try:
             complaints, count = run_page(arguments.page, arguments.program, arguments.slurm, folder)
