@@ -66,6 +66,7 @@ class MapsOfAJob : public ::testing::Test {
   static std::vector<std::int32_t> numbers_on(const std::string& bytes) {
     std::uint32_t count = 0;
     std::memcpy(&count, bytes.data() + 16, sizeof count);
+    if (count == 0) return {};
     std::vector<std::int32_t> numbers(count);
     std::memcpy(numbers.data(), bytes.data() + bytes.size() - 4 * count, 4 * std::size_t{count});
     return numbers;
