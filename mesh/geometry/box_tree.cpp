@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "mesh/geometry/box_measures.h"
+#include "mesh/geometry/median_split.h"
 
 namespace tetfarm {
 namespace {
@@ -66,14 +67,8 @@ void BoxTree::build(std::int32_t first, std::int32_t last) {
     nodes_[self].count = last - first;
     return;
   }
-  // Ties are broken by number, so that the two halves do not depend on how nth_element works.
-  const int axis = longest_axis(centres);
-  const std::int32_t middle = first + (last - first) / 2;
-  std::nth_element(begin, items_.begin() + middle, end, [&](std::int32_t a, std::int32_t b) {
-    const double ca = box_of(a).low[axis] + box_of(a).high[axis];
-    const double cb = box_of(b).low[axis] + box_of(b).high[axis];
-    return ca < cb || (ca == cb && a < b);
-  });
+  const std::size_t half = split_at_median({begin, end}, item_boxes_, longest_axis(centres));
+  const std::int32_t middle = first + static_cast<std::int32_t>(half);
   build(first, middle);
   nodes_[self].right = static_cast<std::int32_t>(nodes_.size());
   build(middle, last);

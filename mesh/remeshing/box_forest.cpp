@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "mesh/geometry/box_measures.h"
+#include "mesh/geometry/median_split.h"
 
 namespace tetfarm {
 namespace {
@@ -49,14 +50,9 @@ void BoxForest::build(std::span<const Box3> boxes, std::int32_t first, std::int3
     return;
   }
   nodes_.push_back(node);
-  const int axis = longest_axis(node.box);
-  const std::int32_t middle = first + (last - first) / 2;
-  const auto less = [&](std::int32_t a, std::int32_t b) {
-    const double at_a = box_of(a).low[axis] + box_of(a).high[axis];
-    const double at_b = box_of(b).low[axis] + box_of(b).high[axis];
-    return at_a != at_b ? at_a < at_b : a < b;
-  };
-  std::nth_element(items_.begin() + first, items_.begin() + middle, items_.begin() + last, less);
+  const std::span items{items_.begin() + first, items_.begin() + last};
+  const std::size_t half = split_at_median(items, boxes, longest_axis(node.box));
+  const std::int32_t middle = first + static_cast<std::int32_t>(half);
   build(boxes, first, middle);
   nodes_[here].right = static_cast<std::int32_t>(nodes_.size());
   build(boxes, middle, last);
