@@ -6,47 +6,32 @@
 #include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/core/elements.h"
-#include "mesh/layers/layer_cells.h"
 #include "mesh/layers/layer_fan.h"
+#include "mesh/layers/layer_shape.h"
+#include "mesh/layers/placed_column.h"
 
 namespace tetfarm {
 namespace {
 
-using PrismCorners = std::array<Vec3, 6>;
-
-double jacobian_of(const PrismCorners& prism) { return scaled_jacobian(ElementType::prism, prism); }
-
-double jacobian_straight_on(const PrismCorners& p) {
-  const Vec3 up = normalized(cross(p[1] - p[0], p[2] - p[0]));
-  return jacobian_of({p[0], p[1], p[2], p[0] + up, p[1] + up, p[2] + up});
-}
-
 /// The layers below the first prism from layer `from` on that has less than its share.
 int well_shaped_above(const LayerPlan& plan, const std::array<std::int32_t, 3>& lines, int from,
                       double least) {
-  LayerColumn column;
-  std::array<std::vector<Vec3>, 3> points;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const LayerLine& line = plan.lines[at(lines[k])];
-    column.stops[k] = line.stop;
-    column.early[k] = line.early;
-    points[k] = points_of(line);
-  }
-  const int layers = layers_above(column.stops);
+  std::array<const LayerLine*, 3> of_plan{};
+  for (std::size_t k = 0; k < 3; ++k) of_plan[k] = &plan.lines[at(lines[k])];
+  const PlacedColumn placed = placed_column(of_plan);
   double wanted = -1;
-  for (int layer = from; layer <= layers; ++layer) {
-    for (const LayerCell& cell : cells_of_layer(column, layer)) {
+  for (int layer = from; layer <= placed.layers; ++layer) {
+    for (const LayerCell& cell : cells_of_layer(placed.column, layer)) {
       if (cell.type != ElementType::prism) continue;
-      PrismCorners p;
-      for (std::size_t k = 0; k < p.size(); ++k) {
-        p[k] = points[at(cell.nodes[k].corner)][at(cell.nodes[k].level)];
-      }
+      const std::array<Vec3, 6> prism = corners_of(placed, cell);
       const bool is_lowest = wanted < 0;
-      if (is_lowest) wanted = least * jacobian_straight_on(p);
-      if (jacobian_of(p) < wanted) return is_lowest ? layers : layer - 1;
+      if (is_lowest) wanted = least * jacobian_of_straight(prism);
+      if (scaled_jacobian(ElementType::prism, prism) < wanted) {
+        return is_lowest ? placed.layers : layer - 1;
+      }
     }
   }
-  return layers;
+  return placed.layers;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "mesh/inspect/surface_check.h"
 #include "mesh/layers/layer_cells.h"
 #include "mesh/layers/layer_fan.h"
+#include "mesh/layers/placed_column.h"
 #include "mesh/layers/plane_retreat.h"
 #include "mesh/layers/unlayered_domain.h"
 
@@ -121,24 +122,13 @@ void prove_column(const LayerPlan& plan, const std::array<std::int32_t, 3>& numb
 }  // namespace
 
 int positive_layers(const std::array<const LayerLine*, 3>& lines, int from) {
-  LayerColumn column;
-  std::array<std::vector<Vec3>, 3> points;
-  for (std::size_t k = 0; k < 3; ++k) {
-    column.stops[k] = lines[k]->stop;
-    column.early[k] = lines[k]->early;
-    points[k] = points_of(*lines[k]);
-  }
-  const int layers = layers_above(column.stops);
-  for (int layer = from; layer <= layers; ++layer) {
-    for (const LayerCell& cell : cells_of_layer(column, layer)) {
-      std::array<Vec3, 6> p;
-      for (std::size_t k = 0; k < nodes_of(cell.type); ++k) {
-        p[k] = points[at(cell.nodes[k].corner)][at(cell.nodes[k].level)];
-      }
-      if (!is_positive(cell.type, p)) return layer - 1;
+  const PlacedColumn placed = placed_column(lines);
+  for (int layer = from; layer <= placed.layers; ++layer) {
+    for (const LayerCell& cell : cells_of_layer(placed.column, layer)) {
+      if (!is_positive(cell.type, corners_of(placed, cell))) return layer - 1;
     }
   }
-  return layers;
+  return placed.layers;
 }
 
 bool has_positive_base(const PieceLines& lines) {

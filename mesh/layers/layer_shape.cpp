@@ -10,15 +10,6 @@
 namespace tetfarm {
 namespace {
 
-using Corners = std::array<Vec3, 6>;
-
-/// That of a straight prism on its first three corners.
-double jacobian_of_straight(const Corners& p) {
-  const Vec3 up = normalized(cross(p[1] - p[0], p[2] - p[0]));
-  const Corners straight = {p[0], p[1], p[2], p[0] + up, p[1] + up, p[2] + up};
-  return scaled_jacobian(ElementType::prism, straight);
-}
-
 bool is_absorbing(const GrownLayers& layers, std::size_t prism) {
   const std::vector<std::int32_t>& depths = layers.marks[CellMark::pml_depth];
   const std::size_t before =
@@ -28,6 +19,12 @@ bool is_absorbing(const GrownLayers& layers, std::size_t prism) {
 
 }  // namespace
 
+double jacobian_of_straight(const std::array<Vec3, 6>& p) {
+  const Vec3 up = normalized(cross(p[1] - p[0], p[2] - p[0]));
+  const std::array<Vec3, 6> straight = {p[0], p[1], p[2], p[0] + up, p[1] + up, p[2] + up};
+  return scaled_jacobian(ElementType::prism, straight);
+}
+
 std::vector<double> jacobian_shares(const GrownLayers& layers) {
   const std::vector<std::int32_t>& nodes = layers.blocks[ElementType::prism].nodes;
   std::vector<double> shares;
@@ -35,7 +32,7 @@ std::vector<double> jacobian_shares(const GrownLayers& layers) {
   std::array<std::int32_t, 3> top_of_last = {-1, -1, -1};
   for (std::size_t first = 0; first < nodes.size(); first += 6) {
     const auto prism = std::span(nodes).subspan(first, 6);
-    Corners p;
+    std::array<Vec3, 6> p;
     for (std::size_t k = 0; k < 6; ++k) p[k] = layers.mesh.nodes[at(prism[k])];
     // Cells come column by column, from the wall up.
     const bool goes_on = std::equal(top_of_last.begin(), top_of_last.end(), prism.begin());

@@ -5,11 +5,16 @@
 /// than that triangle lets a straight one have: so it is told as a share of this.
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "mesh/core/vec3.h"
 #include "mesh/layers/layer_growth.h"
 
 namespace tetfarm {
+
+/// The scaled Jacobian of a straight prism on the first three corners of this one.
+double jacobian_of_straight(const std::array<Vec3, 6>& prism);
 
 /// Of each prism of boundary layers the scaled Jacobian over what a straight prism has on the
 /// triangle at the foot of its column; in the order of the prisms, absorbing ones left out.
